@@ -36,6 +36,7 @@ check_layout() {
   stage "includes between the modules" .ci/check_arrows
   stage "table of tolerances" .ci/check_tolerances
   stage "vocabulary" .ci/check_words
+  stage "words of proof" .ci/check_proof_words
   stage "names that are brought in and not used" .ci/check_using "${sources[@]}"
   stage "licence of each file" reuse lint --quiet
   stage "clang-format" format

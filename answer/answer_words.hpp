@@ -41,8 +41,8 @@ void reserve(const CertificateCheck& found, std::vector<Reservation>& all);
 /// The range of sums of normal reactions.
 std::string grip_sentence(const HoldingGrip& grip);
 
-/// Suffix of a clause: empty if proved, otherwise " (computed, not proved)".
-const char* unless_proved(Standing standing);
+/// Of an open bracket: its inside is not known. Empty if the bracket is as narrow as requested.
+const char* in_between(bool wide, engine::Status ended);
 
 /// " except a-b c-d (kept)": members that are not lost; empty if there are none.
 std::string except_kept(const std::vector<std::string>& members);

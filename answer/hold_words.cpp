@@ -22,12 +22,12 @@ constexpr const char* unbalanced_load =
 
 std::string part(const HoldingFactors::Interval& each) {
   const auto standing = unless_proved(each.standing);
-  if (std::isinf(each.low))
-    return fmt::format("up to {}{}", support::rounded_down(each.high), standing);
-  if (std::isinf(each.high))
-    return fmt::format("from {} on{}", support::rounded_up(each.low), standing);
-  if (each.low == each.high) return fmt::format("{:.6g}{}", each.low, standing);
-  const auto [low, high] = support::inside(each.low, each.high);
+  if (std::isinf(each.low()))
+    return fmt::format("up to {}{}", support::rounded_down(each.high()), standing);
+  if (std::isinf(each.high()))
+    return fmt::format("from {} on{}", support::rounded_up(each.low()), standing);
+  if (each.low() == each.high()) return fmt::format("{:.6g}{}", each.low(), standing);
+  const auto [low, high] = support::inside(each.low(), each.high());
   return fmt::format("from {} to {}{}", low, high, standing);
 }
 
@@ -50,15 +50,15 @@ std::string none_outside(const HoldingFactors& found) {
   const auto add = [&](const std::string& range) {
     text += (text.empty() ? ", and none " : " or ") + range;
   };
-  if (std::isfinite(all.front().low))
-    add("below " + support::rounded_down(out(all.front().below.lower, all.front().low)));
+  if (std::isfinite(all.front().low()))
+    add("below " + support::rounded_down(out(all.front().below.lower, all.front().low())));
   for (std::size_t i = 1; i < all.size(); ++i) {
-    const auto [from, to] = support::inside(out(all[i - 1].above.upper, all[i - 1].high),
-                                            out(all[i].below.lower, all[i].low));
+    const auto [from, to] = support::inside(out(all[i - 1].above.upper, all[i - 1].high()),
+                                            out(all[i].below.lower, all[i].low()));
     add(fmt::format("between {} and {}", from, to));
   }
-  if (std::isfinite(all.back().high))
-    add("above " + support::rounded_up(out(all.back().above.upper, all.back().high)));
+  if (std::isfinite(all.back().high()))
+    add("above " + support::rounded_up(out(all.back().above.upper, all.back().high())));
   return text;
 }
 
@@ -67,8 +67,8 @@ std::string in_case(const std::string& load_case) {
 }
 
 bool is_everything(const HoldingFactors& found) {
-  return found.intervals.size() == 1 && std::isinf(found.intervals.front().low) &&
-         std::isinf(found.intervals.front().high);
+  return found.intervals.size() == 1 && std::isinf(found.intervals.front().low()) &&
+         std::isinf(found.intervals.front().high());
 }
 
 // "from 1 to 2", "all", "none"; of a dead load "it can be held" or "it cannot be held".
@@ -87,7 +87,7 @@ std::string factors_at(const HoldingFactors& found) {
 
 }  // namespace
 
-std::string headline_of(const HoldingBracket& found, engine::Status /*ended*/) {
+std::string headline_of(const HoldingBracket& found, engine::Status ended) {
   if (found.reason == HoldReason::supports) return held_by_supports;
   if (found.reason == HoldReason::unbalanced) return unbalanced_load;
   const auto& [lower, upper] = found.bracket;
@@ -110,9 +110,9 @@ std::string headline_of(const HoldingBracket& found, engine::Status /*ended*/) {
         unless_proved(upper->standing));
   }
   const auto shown = support::in_sentence(lower->value, upper->value);
-  return fmt::format("It cannot hold {} below friction coefficient {}{}{}; at {} it can{}.", load,
+  return fmt::format("It cannot hold {} below friction coefficient {}{}{}; at {} it can{}{}.", load,
                      shown.lower, of_each_candidate(found.factor), unless_proved(lower->standing),
-                     shown.upper, unless_proved(upper->standing));
+                     shown.upper, unless_proved(upper->standing), in_between(false, ended));
 }
 
 void reserve(const HoldingBracket& found, engine::Status /*ended*/, std::vector<Reservation>& all) {
@@ -120,8 +120,8 @@ void reserve(const HoldingBracket& found, engine::Status /*ended*/, std::vector<
   if (found.reason != HoldReason::searched) return;
   if (!upper && (!lower || lower->value < found.maximum)) {
     all.push_back(
-        {fmt::format("It is undecided whether it can hold the dead load between {:.12g} and "
-                     "{:.12g}.",
+        {fmt::format("It is undecided whether it can hold the dead load at friction coefficients "
+                     "between {:.12g} and {:.12g}.",
                      lower ? lower->value : 0, found.maximum),
          true});
   }
@@ -151,12 +151,16 @@ std::string headline_of(const HoldingFactors& found, engine::Status ended) {
         "It can hold {} {}: it can be wedged there, with a residual stress of any size.",
         found.of_reference ? "the reference load at any factor" : "the dead load", where);
   }
-  const char* const what = found.of_reference ? "the loads at any factor" : "the dead load";
   if (found.intervals.empty()) {
     if (ended != engine::Status::solved || found.open)
-      return fmt::format("It is not known whether it can hold {} {}.", what, where);
+      return fmt::format("It is not known whether it can hold {} {}.",
+                         found.of_reference ? "any factor of the reference load" : "the dead load",
+                         where);
     if (found.reason == HoldReason::unbalanced) return unbalanced_load;
-    return fmt::format("It cannot hold {} {}{}.", what, where, unless_proved(found.outside));
+    return fmt::format("It {} {}{}.",
+                       found.of_reference ? "can hold no factor of the reference load"
+                                          : "cannot hold the dead load",
+                       where, unless_proved(found.outside));
   }
   if (!found.of_reference) {
     return fmt::format("It can hold the dead load {}{}.", where,
@@ -194,7 +198,7 @@ std::string headline_of(const HoldingSweep& found, engine::Status /*ended*/) {
   const auto what =
       points.front().of_reference
           ? fmt::format("It can hold these factors of the reference load {}{}{}", where, of, sum)
-          : fmt::format("The dead load {}{}{}", where, of, sum);
+          : fmt::format("These are the answers for the dead load {}{}{}", where, of, sum);
   return fmt::format(
       "{}: {}{}{}.", what, at(points.front()), points.size() > 1 ? ", " + at(points.back()) : "",
       points.size() > 2 ? fmt::format("; the table has the {}other coefficients",
@@ -238,10 +242,10 @@ std::string grip_sentence(const HoldingGrip& grip) {
   if (!grip.held) {
     return fmt::format(
         "There is no state under the dead load alone{}, so there is no sum of normal reactions.",
-        unless_proved(grip.held_standing));
+        unless_proved(grip.standing));
   }
   const std::string undecided =
-      grip.held_standing == Standing::proved
+      grip.standing == Standing::proved
           ? ""
           : "It is not decided whether there is a state under the dead load alone. ";
   const auto& minimum = grip.minimum.lower;
@@ -273,7 +277,7 @@ void reserve(const HoldingGrip& grip, std::vector<Reservation>& all) {
     return !bound || bound->standing == Standing::computed;
   };
   if (!grip.held) {
-    if (grip.held_standing == Standing::computed)
+    if (grip.standing == Standing::computed)
       all.push_back({"Computed, not proved: there is no state under the dead load.", true});
     return;
   }

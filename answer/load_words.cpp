@@ -1,5 +1,6 @@
 // Sentences about load factors.
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 #include <fmt/format.h>
@@ -142,6 +143,16 @@ std::string proved_or(const Bracket& bracket) {
   return standing == Standing::proved ? ", proved" : unless_proved(standing);
 }
 
+// Of an open bracket of the largest factor: its upper bound.
+std::string none_above(const LoadInterval& found) {
+  constexpr double visible = 1e-4;  // relative, in sentences of five digits
+  const auto& [lower, upper] = found.maximum;
+  if (found.struts || !upper || upper->value - lower->value <= visible * std::abs(upper->value))
+    return {};
+  return fmt::format("; no factor above {} is carried{}", support::rounded_up(upper->value),
+                     unless_proved(upper->standing));
+}
+
 std::string factors_headline(const LoadInterval& found) {
   if (!found.uncertain) return nominal(found);
   if (found.carried_at_none && found.uncertain->half_width == 0)
@@ -171,9 +182,10 @@ std::string factors_headline(const LoadInterval& found) {
                        found.struts ? "" : "numerically ", within(found, "all of"));
   }
   const auto [low, high] = support::inside(from->value, to->value);
-  return fmt::format("It carries every factor from {}{} to {}{}{} of {}, {}{}.", low,
+  return fmt::format("It carries every factor from {}{} to {}{}{} of {}, {}{}{}.", low,
                      unless_proved(from->standing), high, if_large(found),
-                     unless_proved(to->standing), reference(found), loads, of_struts(found));
+                     unless_proved(to->standing), reference(found), loads, of_struts(found),
+                     none_above(found));
 }
 
 // True if every load factor from 0 to 1 is carried; nothing if that is not proved either way.
@@ -227,12 +239,12 @@ void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reserv
   if (!found.uncertain && !found.carried_at_none) {
     if (!found.maximum.lower) {
       all.push_back({found.struts ? "No load factor at residual strength is known."
-                                  : "The nominal load factor is not known.",
+                                  : "It is open whether some load factor is carried.",
                      true});
     }
   }
   if (found.carried_at_none == Standing::computed)
-    all.push_back({"Computed, not proved: a load is carried at no factor.", true});
+    all.push_back({"No proof was found that the load is not carried at any factor.", true});
   if (found.uncertain && !found.carried_at_none && ended == engine::Status::solved) {
     if (!is_proved(found.maximum.lower))
       all.push_back({"A lower bound of the largest factor is not proved.", true});
@@ -266,15 +278,23 @@ std::string headline_of(const LoadSteps& found, engine::Status /*ended*/) {
                                 support::rounded_down(found.nominal->value, digits),
                                 unless_proved(found.nominal->standing));
   if (!found.half_width) return text + '.';
-  const auto at = fmt::format("; at alpha = {}{}", *found.half_width,
+  const auto at = fmt::format("; for alpha = {}{}", *found.half_width,
                               found.force ? ' ' + *found.force : std::string());
   if (found.worst_at_none) {
     return text + at +
-           fmt::format(" some load is carried at no factor{}.",
+           fmt::format(" some load is not carried at any factor{}.",
                        unless_proved(*found.worst_at_none));
   }
   const auto& [lower, upper] = found.worst;
-  if (!lower || !upper) return text + at + " the worst case is open.";
+  if (!lower && !upper) return text + at + " the worst case is not known.";
+  if (!lower || !upper) {
+    const auto& [value, standing] = lower ? *lower : *upper;
+    return text + at +
+           fmt::format(
+               " the worst case is at {} {}{}.", lower ? "least" : "most",
+               lower ? support::rounded_down(value, digits) : support::rounded_up(value, digits),
+               unless_proved(standing));
+  }
   const auto shown = support::in_sentence(lower->value, upper->value, digits);
   const auto worst = shown.lower == shown.upper
                          ? shown.lower
@@ -289,8 +309,8 @@ void reserve(const LoadSteps& found, std::vector<Reservation>& all) {
         {fmt::format("{} of {} points were computed.", found.points, found.points_asked), true});
   }
   if (!found.nominal && !found.nominal_at_none)
-    all.push_back({"The nominal load factor is not known.", true});
-  if (found.open) all.push_back({"Not every point, or not all of the curve, is proved.", true});
+    all.push_back({"It is open whether the nominal load is carried at some factor.", true});
+  if (found.open) all.push_back({"Some point, or part of the curve, is not proved.", true});
 }
 
 }  // namespace kusabi::answer

@@ -105,7 +105,7 @@ void reserve(const MemberLoss& found, engine::Status ended, std::vector<Reservat
   }
   if (found.target) {
     if (!found.reached)
-      all.push_back({"It is neither proved nor refuted that the factor remains.", true});
+      all.push_back({"No loss was found that leaves less, and none is excluded.", true});
     return;
   }
   if (!is_proved(found.factor.lower))

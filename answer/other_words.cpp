@@ -7,13 +7,10 @@
 #include "answer/answer_words.hpp"
 #include "answer/values.hpp"
 #include "support/input_error.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::answer {
 namespace {
-
-const char* in_brackets(Standing standing) {
-  return standing == Standing::proved ? "(proved)" : "(computed, not proved)";
-}
 
 std::string bound_text(const MixedOptimum& found) {
   return fmt::format(
@@ -41,6 +38,19 @@ std::string of_list(const CertificateCheck::List& list) {
 
 }  // namespace
 
+std::string proved(const std::string& claim) {
+  return "PROVED: " + claim;
+}
+
+std::string not_in_certificate(std::uint64_t degenerate_nodes) {
+  return fmt::format("The certificate does not prove {} with a margin of zero.",
+                     counted(degenerate_nodes, "degenerate node"));
+}
+
+std::string no_certificate(const std::string& why) {
+  return fmt::format("No certificate was written, since {}.", why);
+}
+
 std::string factor_claim(const CertificateCheck::Factor& factor) {
   auto loads = factor.loads.half_width ? fmt::format("alpha = {}", *factor.loads.half_width)
                                        : std::string("uncertain loads within these half-widths");
@@ -48,39 +58,44 @@ std::string factor_claim(const CertificateCheck::Factor& factor) {
   if (factor.at_none) {
     return fmt::format("for {} some admissible load is carried at no load factor", loads);
   }
-  auto text = std::isfinite(factor.lower)
-                  ? fmt::format("the worst-case load factor for {} is between {:.17g} and {:.17g}",
-                                loads, factor.lower, factor.upper)
-                  : fmt::format("the worst-case load factor for {} is at most {:.17g}", loads,
-                                factor.upper);
+  const auto& [lower, upper] = factor.largest;
+  if (!upper) return fmt::format("for {} nothing is claimed", loads);
+  const auto shown = support::in_table(factor.largest.at_least(), upper->value);
+  auto text = fmt::format("the worst-case load factor for {} is ", loads) +
+              (lower ? fmt::format("between {} and {}", shown.lower, shown.upper)
+                     : fmt::format("at most {}",
+                                   support::rounded_up(upper->value, support::digits_of_table)));
   if (factor.struts) {
-    text += std::isfinite(factor.lower)
-                ? ", while no strut falls below its residual strength"
-                : ", an upper value: no lower bound at residual strength is proved";
+    text += lower ? ", while no strut falls below its residual strength"
+                  : ", an upper value: no lower bound at residual strength is proved";
   }
-  if (!factor.minimum) return text;
-  const auto& [lower, upper] = *factor.minimum;
-  if (lower > factor.upper) {
+  const auto& [none_below, from] = factor.minimum;
+  if (none_below && none_below->value > upper->value) {
     return text + fmt::format(
                       "; no load factor is carried under every admissible load: the least "
-                      "factor of one is {:.17g} or more",
-                      lower);
+                      "factor of one is {} or more",
+                      support::rounded_down(none_below->value, support::digits_of_table));
   }
-  if (upper > factor.lower) return text;
+  if (!none_below || !from || !lower || from->value > lower->value) return text;
+  const auto [low, high] = support::inside(from->value, lower->value, support::digits_of_table);
   return text + fmt::format(
-                    "; every load factor from {:.17g} to {:.17g} is carried under every admissible "
-                    "load; no factor below {:.17g} is carried",
-                    upper, factor.lower, lower);
+                    "; every load factor from {} to {} is carried under every admissible "
+                    "load; no factor below {} is carried",
+                    low, high, support::rounded_down(none_below->value, support::digits_of_table));
 }
 
 namespace {
 
 std::string range_text(const CertificateCheck::Range& range) {
   if (std::isinf(range.low) && std::isinf(range.high)) return "all factors";
-  if (std::isinf(range.low)) return fmt::format("up to {:.17g}", range.high);
-  if (std::isinf(range.high)) return fmt::format("from {:.17g} on", range.low);
-  if (range.low == range.high) return fmt::format("{:.17g}", range.low);
-  return fmt::format("from {:.17g} to {:.17g}", range.low, range.high);
+  constexpr int digits = support::digits_of_table;
+  if (std::isinf(range.low))
+    return fmt::format("up to {}", support::rounded_down(range.high, digits));
+  if (std::isinf(range.high))
+    return fmt::format("from {} on", support::rounded_up(range.low, digits));
+  if (range.low == range.high) return fmt::format("{}", range.low);
+  const auto [low, high] = support::inside(range.low, range.high, digits);
+  return fmt::format("from {} to {}", low, high);
 }
 
 std::string ranges_text(const std::vector<CertificateCheck::Range>& ranges) {
@@ -97,13 +112,14 @@ bool is_of_dead_load(const CertificateCheck::Held& held) {
 }
 
 std::string grip_text(const CertificateCheck::GripBounds& grip) {
-  auto text = fmt::format(
-      "the normal reactions of every state under the dead load add up to {:.17g} or more",
-      grip.below);
-  if (grip.above) text += fmt::format(" and {:.17g} or less", *grip.above);
+  constexpr int digits = support::digits_of_table;
+  auto text =
+      fmt::format("the normal reactions of every state under the dead load add up to {} or more",
+                  support::rounded_down(grip.below, digits));
+  if (grip.above) text += fmt::format(" and {} or less", support::rounded_up(*grip.above, digits));
   if (grip.states) {
-    text += fmt::format(", those of some states to {:.17g} and {:.17g}", grip.states->low,
-                        grip.states->high);
+    const auto [low, high] = support::inside(grip.states->low, grip.states->high, digits);
+    text += fmt::format(", those of some states to {} and {}", low, high);
   }
   return text;
 }
@@ -163,17 +179,20 @@ std::string loss_claim(const CertificateCheck::Loss& loss) {
                        loss.uncertain  ? "some " + admissible(loss, "dead load")
                        : loss.as_given ? "the dead load as given"
                                        : "the dead load");
-  if (!loss.lower)
-    return fmt::format("{}{}{} the load factor is at most {:.17g}", proved, lost,
-                       loads_text(loss, "some"), loss.upper);
+  const auto& [lower, upper] = loss.factor;
+  if (!lower)
+    return fmt::format("{}{}{} the load factor is at most {}", proved, lost,
+                       loads_text(loss, "some"),
+                       support::rounded_up(loss.factor.at_most(), support::digits_of_table));
+  const auto shown = support::in_table(lower->value, loss.factor.at_most());
   const auto members =
       loss.maximum == 1 ? "any member" : fmt::format("any {} members", loss.maximum);
   return fmt::format(
-      "{}{}{}{}{} the load factor is at least {:.17g}; {} it is at most {:.17g}", proved,
+      "{}{}{}{}{} the load factor is at least {}; {} it is at most {}", proved,
       after_loss_of(members + except_kept(loss.kept), loss.sudden), loads_text(loss, "every"),
       loss.cases == 1 ? std::string() : fmt::format(" in each of {} load cases", loss.cases),
-      loss.struts ? ", while no strut falls below its residual strength," : "", *loss.lower, lost,
-      loss.upper);
+      loss.struts ? ", while no strut falls below its residual strength," : "", shown.lower, lost,
+      shown.upper);
 }
 
 std::string headline_of(const MixedOptimum& found, engine::Status /*ended*/) {
@@ -196,7 +215,7 @@ std::string headline_of(const MixedOptimum& found, engine::Status /*ended*/) {
       found.state == MixedOptimum::State::optimal ? "The optimum is"
                                                   : "The best point so far has the objective",
       found.objective.value_or(0), in_brackets(found.standing), bound_text(found));
-  return found.bound ? fmt::format("{}, gap {:.2g} %.", text, 100 * found.gap) : text + ".";
+  return found.gap ? fmt::format("{}, gap {:.2g} %.", text, 100 * *found.gap) : text + ".";
 }
 
 void reserve(const MixedOptimum& found, engine::Status ended, std::vector<Reservation>& all) {
@@ -219,13 +238,16 @@ void reserve(const MixedOptimum& found, engine::Status ended, std::vector<Reserv
   const bool has_bound = found.state != State::infeasible && found.state != State::unbounded;
   if (has_bound && found.bound && found.bound->standing == Standing::computed) {
     all.push_back(
-        {"The bound is not proved in rational numbers, as of a large program or with cuts, and any "
-         "rounding error counts without limit where columns have no bounds, or almost so.",
+        {"The bound is computed in floating point, not proved in rational numbers, which are used "
+         "for small programs without cuts only. Where columns have no bounds, or very large ones, "
+         "a "
+         "rounding error may change it by any amount.",
          false});
   }
   if (found.objective && found.standing == Standing::computed) {
     all.push_back(
-        {"The point is not proved to satisfy its rows, or not to be optimal, in rational numbers.",
+        {"It is not proved in rational numbers that the point satisfies all rows, or that it is "
+         "optimal.",
          false});
   }
 }
@@ -240,7 +262,7 @@ std::string headline_of(const CertificateCheck& found, engine::Status ended) {
                        counted(example->patterns, "pattern"));
   }
   if (const auto* const factor = std::get_if<CertificateCheck::Factor>(&found.claim))
-    return "PROVED: " + factor_claim(*factor);
+    return proved(factor_claim(*factor));
   if (const auto* const held = std::get_if<CertificateCheck::Held>(&found.claim))
     return of_held(*held);
   if (const auto* const loss = std::get_if<CertificateCheck::Loss>(&found.claim))

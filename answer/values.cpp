@@ -7,22 +7,8 @@
 
 namespace kusabi::answer {
 
-const char* status_name(engine::Status status) {
-  switch (status) {
-    case engine::Status::solved:
-      return "solved";
-    case engine::Status::time_limit:
-      return "time-limit";
-    case engine::Status::node_limit:
-      return "node-limit";
-    case engine::Status::solution_limit:
-      return "solution-limit";
-    case engine::Status::gap_limit:
-      return "gap-limit";
-    case engine::Status::interrupted:
-      break;
-  }
-  return "interrupted";
+std::string status_name(engine::Status status) {
+  return std::string(names_of(status).at(static_cast<std::size_t>(status)));
 }
 
 nlohmann::ordered_json number_or_null(std::optional<double> value) {

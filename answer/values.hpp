@@ -1,6 +1,7 @@
 // Names of states, counts in sentences, numbers in JSON.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,12 +10,21 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/statistics.hpp"
+#include "support/bracket.hpp"
 #include "support/exact_count.hpp"
 
 namespace kusabi::answer {
 
-/// Name in the result file: "solved", "time-limit", ...
-const char* status_name(engine::Status status);
+/// Names in files, in the order of the enumeration.
+constexpr std::array<std::string_view, 6> names_of(engine::Status /*type*/) {
+  return {"solved", "time-limit", "node-limit", "solution-limit", "gap-limit", "interrupted"};
+}
+
+constexpr std::array<std::string_view, 2> names_of(support::Standing /*type*/) {
+  return {"computed", "proved"};
+}
+
+std::string status_name(engine::Status status);
 
 /// null for an infinite or absent number, since JSON has no infinity.
 nlohmann::ordered_json number_or_null(std::optional<double> value);

@@ -5,13 +5,16 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "answer/fields.hpp"
 #include "engine/statistics.hpp"
 #include "support/bracket.hpp"
 #include "support/exact_count.hpp"
@@ -28,43 +31,94 @@ enum class Grounds {
   solver_bounds,     ///< bounds of the solver in floating point, with room for rounding
 };
 
+constexpr std::array<std::string_view, 2> names_of(Grounds /*type*/) {
+  return {"exact-arithmetic", "solver-bounds"};
+}
+
 /// Remainder of an exact test of a list of patterns (`--prove`, or scales that are far apart).
 struct ExactRemainder {
-  double scale_ratio = 1;  ///< of the structure
-  std::string why{};  ///< clause: the list may be incomplete; empty: it is exact except for `nodes`
-  std::uint64_t nodes = 0;  ///< closed nodes that the test does not cover
+  static constexpr const char* title = "exact_remainder";
+  double scale_ratio = 1;
+  std::string why{};
+  std::uint64_t nodes = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("scale_ratio", &ExactRemainder::scale_ratio, "of the structure"),
+        field("why", &ExactRemainder::why,
+              "reason why the list may be incomplete, as a clause; empty: it is exact except for "
+              "nodes"),
+        field("nodes", &ExactRemainder::nodes, "closed nodes that the exact test does not cover")};
+  }
 };
 
 /// Wedged configurations at one friction coefficient: `patterns`, `rays`.
 struct Sticking {
-  std::string thing = "way";  ///< noun for the count, in the singular
+  static constexpr const char* kind = "sticking";
+  std::string thing = "way";
   double friction = 0;
-  bool factor = false;          ///< `friction` multiplies the coefficient of each candidate
-  support::ExactCount count{};  ///< may exceed any integer type
-  std::uint64_t undecided = 0;  ///< sign patterns not counted
-  Standing standing{};          ///< of the list
-  Grounds grounds = Grounds::solver_bounds;  ///< of a proved list
-  std::uint64_t degenerate = 0;  ///< closed nodes with a margin of zero that are not proved
-  bool ambiguous = false;        ///< numbers that cannot be distinguished from zero
-  /// Absent: no exact test was requested, or nothing remains.
+  bool factor = false;
+  support::ExactCount count{};
+  std::uint64_t undecided = 0;
+  Standing standing{};
+  Grounds grounds = Grounds::solver_bounds;
+  std::uint64_t degenerate = 0;
+  bool ambiguous = false;
+  std::optional<std::uint64_t> proved_cones{};
   std::optional<ExactRemainder> remainder{};
-  /// Proved for displacements up to this many times the strains only; absent: for all.
   std::optional<double> displacement_ratio{};
-  /// `--exists`: one pattern is the answer, and the list is not complete.
   bool example = false;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("thing", &Sticking::thing, "noun for the count, in the singular"),
+        field("friction", &Sticking::friction),
+        field("factor", &Sticking::factor, "friction multiplies the coefficient of each candidate"),
+        field("count", &Sticking::count, "of patterns or rays"),
+        field("not_counted", &Sticking::undecided, "sign patterns that are undecided"),
+        field("standing", &Sticking::standing, "of the list"),
+        field("grounds", &Sticking::grounds, "of a proved list"),
+        field("degenerate", &Sticking::degenerate,
+              "closed nodes with a margin of zero that are not proved"),
+        if_any("proved_cones", &Sticking::proved_cones,
+               "of rays: number of maximal cones, if exact arithmetic proves that there are no "
+               "others"),
+        field("exact_remainder", &Sticking::remainder,
+              "what the exact test leaves open; null: nothing, or no test was requested"),
+        field("displacement_ratio", &Sticking::displacement_ratio,
+              "proved for displacements up to this many times the strains; null: for all"),
+        if_any("example", &Sticking::example,
+               "with --exists: one pattern is the answer, and the list is not complete")};
+  }
 };
 
 /// The critical friction coefficient: `critical`.
 struct CriticalBracket {
-  Bracket bracket{};    ///< the structure cannot stick at `lower` or below, and sticks at `upper`
-  bool factor = false;  ///< coefficients multiply that of each candidate
-  double maximum = 0;   ///< upper limit of the search
-  double width = 0;     ///< requested width of the bracket
-  bool wide = false;    ///< the bracket is wider
-  /// The patterns that stick at `upper` were requested, and are not known.
+  static constexpr const char* kind = "critical";
+  Bracket bracket{};
+  bool factor = false;
+  double maximum = 0;
+  double width = 0;
+  bool wide = false;
   bool patterns_open = false;
-  Grounds grounds = Grounds::exact_arithmetic;  ///< of proved ends
-  std::optional<double> displacement_ratio{};   ///< as in Sticking
+  Grounds grounds = Grounds::exact_arithmetic;
+  std::optional<double> displacement_ratio{};
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field(
+            "critical_friction", &CriticalBracket::bracket,
+            "the structure cannot stick at the lower bound or below, and sticks at the upper one"),
+        field("factor", &CriticalBracket::factor, "coefficients multiply that of each candidate"),
+        field("maximum", &CriticalBracket::maximum, "upper limit of the search"),
+        field("width", &CriticalBracket::width, "requested width of the bracket"),
+        field("wide", &CriticalBracket::wide, "the bracket is wider"),
+        field("patterns_open", &CriticalBracket::patterns_open,
+              "patterns at the upper bound were requested and are not all known"),
+        field("grounds", &CriticalBracket::grounds, "of proved bounds"),
+        field("displacement_ratio", &CriticalBracket::displacement_ratio,
+              "proved for displacements up to this many times the strains; null: for all")};
+  }
 };
 
 /// Reason of an answer about loads that needs no search.
@@ -75,150 +129,302 @@ enum class HoldReason {
   unbalanced,  ///< the load moves a body along a motion that no candidate resists
 };
 
-/// Names in result files, in the order of the enumeration.
-inline constexpr std::array<std::string_view, 4> hold_reasons{"searched", "supports", "wedging",
-                                                              "unbalanced"};
+/// Names in files, in the order of the enumeration.
+constexpr std::array<std::string_view, 4> names_of(HoldReason /*type*/) {
+  return {"searched", "supports", "wedging", "unbalanced"};
+}
 
 /// The smallest friction coefficient at which the dead load can be held: `hold`.
 struct HoldingBracket {
-  Bracket bracket{};    ///< it cannot be held at `lower` or below, and can at `upper`
-  bool factor = false;  ///< coefficients multiply that of each candidate
-  double maximum = 0;   ///< upper limit of the search
+  static constexpr const char* kind = "holding-friction";
+  Bracket bracket{};
+  bool factor = false;
+  double maximum = 0;
   HoldReason reason = HoldReason::searched;
-  std::string load_case{};  ///< empty: the file has none
+  std::string load_case{};
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("holding_friction", &HoldingBracket::bracket,
+              "the dead load cannot be held at the lower bound or below, and can at the upper one"),
+        field("factor", &HoldingBracket::factor, "coefficients multiply that of each candidate"),
+        field("maximum", &HoldingBracket::maximum, "upper limit of the search"),
+        field("reason", &HoldingBracket::reason, "why no search was needed"),
+        if_any("case", &HoldingBracket::load_case, "with --case")};
+  }
 };
 
 /// The least and the largest sum of the normal reactions over all states under the dead load.
 struct HoldingGrip {
-  bool held = true;              ///< false: there is no state
-  Standing held_standing{};      ///< of this answer
-  Bracket minimum{}, maximum{};  ///< of each end
-  bool unbounded = false;        ///< there is no largest sum
+  bool held = true;
+  Standing standing{};
+  Bracket minimum{};
+  Bracket maximum{};
+  bool unbounded = false;
   Standing unbounded_standing{};
+
+  static constexpr auto fields() {
+    return std::tuple{field("held", &HoldingGrip::held, "false: there is no state"),
+                      field("standing", &HoldingGrip::standing, "of held"),
+                      field("minimum", &HoldingGrip::minimum, "of the least sum"),
+                      field("maximum", &HoldingGrip::maximum, "of the largest sum"),
+                      field("unbounded", &HoldingGrip::unbounded, "there is no largest sum"),
+                      field("unbounded_standing", &HoldingGrip::unbounded_standing)};
+  }
 };
 
 /// Factors of the reference load that can be held at one coefficient: `hold --mu`.
 struct HoldingFactors {
-  /// Both ends are held; infinite: no end.
+  static constexpr const char* kind = "holding-factors";
+  static constexpr const char* title = "holding_factors";
   struct Interval {
-    double low = 0, high = 0;
-    Standing standing{};       ///< of the states at the ends
-    Bracket below{}, above{};  ///< of each end: held, and not held; absent if there is no end
+    Standing standing{};
+    Bracket below{};
+    Bracket above{};
+
+    /// The ends, which are held; infinite: there is none.
+    [[nodiscard]] double low() const { return below.upper ? below.at_most() : -unbounded; }
+    [[nodiscard]] double high() const { return above.lower ? above.at_least() : unbounded; }
+    static constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+    static constexpr auto fields() {
+      return std::tuple{
+          field("standing", &Interval::standing, "of the states at the ends"),
+          field("below", &Interval::below,
+                "of the lower end, from a factor that is not held to one that is; both open: no "
+                "end"),
+          field("above", &Interval::above,
+                "of the upper end, from a factor that is held to one that is not; both open: no "
+                "end")};
+    }
   };
   double friction = 0;
   bool factor = false;
-  bool of_reference = true;  ///< false: the file has a dead load only, held or not
+  bool of_reference = true;
   std::vector<Interval> intervals{};
-  Standing outside{};  ///< of the claim that no other factor is held
-  bool open = false;   ///< factors may be missing
+  Standing outside{};
+  bool open = false;
   HoldReason reason = HoldReason::searched;
-  std::string load_case{};            ///< empty: the file has none
-  std::optional<double> total{};      ///< sum of the normal reactions in all these states
-  std::optional<HoldingGrip> grip{};  ///< if it was requested
+  std::string load_case{};
+  std::optional<double> total{};
+  std::optional<HoldingGrip> grip{};
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("friction", &HoldingFactors::friction),
+        field("factor", &HoldingFactors::factor,
+              "friction multiplies the coefficient of each candidate"),
+        field("of_reference", &HoldingFactors::of_reference,
+              "false: the file has a dead load only, held or not"),
+        field("intervals", &HoldingFactors::intervals,
+              "factors of the reference load that can be held"),
+        field("outside", &HoldingFactors::outside,
+              "standing of the claim that no other factor is held"),
+        field("open", &HoldingFactors::open, "factors may be missing"),
+        field("reason", &HoldingFactors::reason, "why no search was needed"),
+        if_any("case", &HoldingFactors::load_case, "with --case"),
+        if_any("total", &HoldingFactors::total, "with --total: the sum of the normal reactions"),
+        if_any("grip", &HoldingFactors::grip,
+               "with --grip: the range of the sum of the normal reactions")};
+  }
 };
 
 /// The same at several coefficients: `hold --mu` with more than one.
 struct HoldingSweep {
-  std::uint64_t requested = 0;           ///< number of coefficients
-  std::vector<HoldingFactors> points{};  ///< in their order; fewer if the search was stopped
+  static constexpr const char* kind = "holding-sweep";
+  std::uint64_t requested = 0;
+  std::vector<HoldingFactors> points{};
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("requested", &HoldingSweep::requested, "number of coefficients"),
+        field("points", &HoldingSweep::points, "in their order; fewer if the search was stopped")};
+  }
 };
 
 /// Pairs of factors of two reference loads that can be held at one coefficient: `hold --diagram`.
 struct HoldingDiagram {
+  static constexpr const char* kind = "holding-diagram";
   double friction = 0;
   bool factor = false;
-  std::vector<std::string> cases{};  ///< names of both loads
-  std::uint64_t pieces = 0;          ///< convex ones, each of a sign pattern
-  bool everything = false;           ///< one of them contains all pairs
-  Standing outside{};                ///< of the claim that no other pair is held
-  bool open = false;                 ///< pieces may be missing
-  std::uint64_t coarse = 0;  ///< pieces that contain more pairs than their vertices and rays do
+  std::vector<std::string> cases{};
+  std::uint64_t pieces = 0;
+  bool everything = false;
+  Standing outside{};
+  bool open = false;
+  std::uint64_t coarse = 0;
+
+  static constexpr auto fields() {
+    return std::tuple{field("friction", &HoldingDiagram::friction),
+                      field("factor", &HoldingDiagram::factor,
+                            "friction multiplies the coefficient of each candidate"),
+                      field("cases", &HoldingDiagram::cases, "names of both reference loads"),
+                      field("outside", &HoldingDiagram::outside,
+                            "standing of the claim that no other pair is held"),
+                      field("open", &HoldingDiagram::open, "pieces may be missing")};
+  }
 };
 
 /// Numbers of patterns over the friction coefficient: `sweep --mu`.
 struct FrictionSteps {
-  double maximum = 0;   ///< upper limit of the sweep
-  bool factor = false;  ///< coefficients multiply that of each candidate
-  /// It cannot stick up to here; absent: not all patterns at `maximum` were found.
+  static constexpr const char* kind = "friction-steps";
+  double maximum = 0;
+  bool factor = false;
   std::optional<Bound> infeasible{};
-  support::ExactCount count{};         ///< of patterns at `maximum`
-  std::uint64_t open_at_most = 0;      ///< patterns that may be added to the count
-  std::uint64_t open_patterns = 0;     ///< patterns without a coefficient at which they become
-                                       ///< feasible
-  std::uint64_t undecided_points = 0;  ///< of the requested points
-  std::optional<ExactRemainder> remainder{};  ///< of the counts
+  support::ExactCount count{};
+  std::uint64_t open_at_most = 0;
+  std::uint64_t open_patterns = 0;
+  std::uint64_t undecided_points = 0;
+  std::optional<ExactRemainder> remainder{};
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("maximum", &FrictionSteps::maximum, "upper limit of the sweep"),
+        field("factor", &FrictionSteps::factor, "coefficients multiply that of each candidate"),
+        field("infeasible", &FrictionSteps::infeasible,
+              "it cannot stick up to here; null: not all patterns at the maximum were found"),
+        field("undecided_points", &FrictionSteps::undecided_points,
+              "of the requested coefficients"),
+        field("exact_remainder", &FrictionSteps::remainder,
+              "what the exact test of the counts leaves open")};
+  }
 };
 
 /// Bounds of an uncertain dead load.
 struct LoadRange {
-  std::optional<double> half_width{};  ///< absent: each load has its own
-  std::optional<std::string> force{};  ///< unit of half_width; absent: a multiple of the loads
+  std::optional<double> half_width{};
+  std::optional<std::string> force{};
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("half_width", &LoadRange::half_width, "null: each load has its own"),
+        field("force", &LoadRange::force, "unit of half_width; null: a multiple of the loads")};
+  }
 };
 
 /// Load factors that are carried: `limit`. For an uncertain dead load, factors carried under every
 /// admissible load: from the greatest of the least factors to the least of the largest.
 struct LoadInterval {
-  std::optional<LoadRange> uncertain{};  ///< absent: the dead load is fixed
-  Bracket minimum{}, maximum{};          ///< the ends of the interval
-  /// A dead load is carried at no factor of either sign.
+  static constexpr const char* kind = "load-interval";
+  std::optional<LoadRange> uncertain{};
+  Bracket minimum{};
+  Bracket maximum{};
   std::optional<Standing> carried_at_none{};
-  /// Bounds of `maximum` hold only if the M of (29) is large enough.
   bool if_big_m = false;
-  /// Part of the request, such as a curve, was not computed.
   bool incomplete = false;
-  std::uint64_t cases = 1;  ///< load cases; the factors are carried in all of them
-  /// The action that the load factor multiplies, in combinations of actions; empty: other loads.
+  std::uint64_t cases = 1;
   std::string reference_action{};
-  /// Factors are carried while no strut falls below its residual strength; the outer bounds are
-  /// those of full strength.
   bool struts = false;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("uncertain", &LoadInterval::uncertain, "bounds of the dead load; null: it is fixed"),
+        field("minimum", &LoadInterval::minimum,
+              "of the least factor that is carried, under every admissible load"),
+        field("maximum", &LoadInterval::maximum,
+              "of the largest factor that is carried, under every admissible load"),
+        field("carried_at_none", &LoadInterval::carried_at_none,
+              "a dead load is carried at no factor of either sign; null: none is known to be"),
+        field("if_big_m", &LoadInterval::if_big_m,
+              "the bounds of the maximum hold only if the M of (29) is large enough"),
+        field("incomplete", &LoadInterval::incomplete,
+              "part of the request, such as a curve, was not computed"),
+        if_any("reference_action", &LoadInterval::reference_action,
+               "the action that the load factor multiplies")};
+  }
 };
 
 /// Load factors after the loss of members: `limit --lose`.
 struct MemberLoss {
-  std::uint64_t maximum = 1;  ///< K: number of members that may be lost together
-  Bracket factor{};           ///< the least of the largest factors that remain
-  /// After the worst loss known the dead load is carried at no factor of either sign.
+  static constexpr const char* kind = "member-loss";
+  std::uint64_t maximum = 1;
+  Bracket factor{};
   std::optional<Standing> fatal{};
-  std::vector<std::string> lost{};  ///< members of the worst loss known; empty: it lowers nothing
-  std::optional<double> target{};   ///< the required factor; absent: the least one
-  std::optional<bool> reached{};    ///< true if the target remains after each loss; absent: open
-  std::uint64_t cases = 1;          ///< load cases
-  bool uncertain = false;           ///< over all admissible loads
-  std::vector<std::string> kept{};  ///< members that are not lost
-  bool struts = false;              ///< as in LoadInterval
-  double sudden = 1;                ///< dynamic factor; 1: the loss is not sudden
+  std::vector<std::string> lost{};
+  std::optional<double> target{};
+  std::optional<bool> reached{};
+  std::uint64_t cases = 1;
+  bool uncertain = false;
+  std::vector<std::string> kept{};
+  bool struts = false;
+  double sudden = 1;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("lost_at_most", &MemberLoss::maximum, "K: members that may be lost together"),
+        field("factor", &MemberLoss::factor, "of the least of the largest factors that remain"),
+        field("fatal", &MemberLoss::fatal,
+              "after the worst loss known the dead load is carried at no factor of either sign; "
+              "null: it is"),
+        field("lost", &MemberLoss::lost,
+              "members of the worst loss known; empty: no loss lowers the factor"),
+        field("target", &MemberLoss::target,
+              "the required factor; null: the least one was requested"),
+        field("reached", &MemberLoss::reached, "the target remains after each loss; null: open"),
+        field("uncertain", &MemberLoss::uncertain, "over all admissible loads"),
+        if_any("kept", &MemberLoss::kept, "members that are not lost"),
+        field("sudden", &MemberLoss::sudden, "dynamic factor; 1: the loss is not sudden")};
+  }
 };
 
 /// Load factors over the uncertainty of the dead load: `sweep --alpha`.
 struct LoadSteps {
-  std::optional<Bound> nominal{};              ///< without uncertainty
-  std::optional<Standing> nominal_at_none{};   ///< the nominal load is not carried at any factor
-  std::optional<double> half_width{};          ///< of the last point computed
-  std::optional<std::string> force{};          ///< its unit, as in LoadRange
-  Bracket worst{};                             ///< the least of the largest factors there
-  Bracket minimum{};                           ///< the greatest of the least factors there
-  std::optional<Standing> worst_at_none{};     ///< some load is not carried at any factor
-  std::uint64_t points = 0, points_asked = 0;  ///< points computed, points requested
-  bool open = false;                           ///< a point or a piece of the curve is not proved
+  static constexpr const char* kind = "load-steps";
+  std::optional<Bound> nominal{};
+  std::optional<Standing> nominal_at_none{};
+  std::optional<double> half_width{};
+  std::optional<std::string> force{};
+  Bracket worst{};
+  Bracket minimum{};
+  std::optional<Standing> worst_at_none{};
+  std::uint64_t points = 0;
+  std::uint64_t points_asked = 0;
+  bool open = false;
+
+  static constexpr auto fields() {
+    return std::tuple{
+        field("nominal", &LoadSteps::nominal,
+              "lower bound of the largest factor without uncertainty"),
+        field("nominal_at_none", &LoadSteps::nominal_at_none,
+              "the nominal load is carried at no factor"),
+        field("half_width", &LoadSteps::half_width, "of the last point computed"),
+        field("force", &LoadSteps::force, "unit of half_width; null: a multiple of the loads"),
+        field("worst", &LoadSteps::worst, "of the least of the largest factors there"),
+        field("minimum", &LoadSteps::minimum, "of the greatest of the least factors there"),
+        field("worst_at_none", &LoadSteps::worst_at_none,
+              "some load is carried at no factor there"),
+        field("requested", &LoadSteps::points_asked, "number of points"),
+        field("open", &LoadSteps::open, "a point or a piece of the curve is not proved")};
+  }
 };
 
 /// The optimum of a mixed zero-one program: `mip`.
 struct MixedOptimum {
+  static constexpr const char* kind = "mixed-optimum";
   enum class State { optimal, feasible, infeasible, unbounded, unknown };
+  friend constexpr std::array<std::string_view, 5> names_of(State /*type*/) {
+    return {"optimal", "feasible", "infeasible", "unbounded", "unknown"};
+  }
   State state = State::unknown;
-  /// Of the point, or of the infeasible or unbounded program.
   Standing standing{};
   bool maximise = false;
-  std::optional<double> objective{};  ///< value of the best point
-  std::optional<Bound> bound{};       ///< no point has a better objective
-  double gap = 0;                     ///< relative
-  std::uint64_t unproved = 0;         ///< nodes closed without a proof
-};
+  std::optional<double> objective{};
+  std::optional<Bound> bound{};
+  std::optional<double> gap{};
+  std::uint64_t unproved = 0;
 
-/// States in result files, in the order of the enumeration.
-inline constexpr std::array<std::string_view, 5> mixed_states{"optimal", "feasible", "infeasible",
-                                                              "unbounded", "unknown"};
+  static constexpr auto fields() {
+    return std::tuple{
+        field("state", &MixedOptimum::state),
+        field("standing", &MixedOptimum::standing,
+              "of the point, or of the infeasible or unbounded program"),
+        field("maximise", &MixedOptimum::maximise),
+        field("objective", &MixedOptimum::objective, "value of the best point"),
+        field("bound", &MixedOptimum::bound, "no point has a better objective"),
+        field("gap", &MixedOptimum::gap, "relative; null: no bound is known"),
+        field("unproved", &MixedOptimum::unproved, "nodes that were closed without a proof")};
+  }
+};
 
 /// Result of the verification of a certificate: `verify`.
 struct CertificateCheck {
@@ -235,11 +441,10 @@ struct CertificateCheck {
   struct Factor {
     LoadRange loads{};
     std::uint64_t cases = 1;
-    bool at_none = false;         ///< some load is not carried at any factor; nothing else is known
-    double lower = 0, upper = 0;  ///< bounds of the least of the largest factors
-    bool struts = false;          ///< as in LoadInterval; a bound that is not proved is infinite
-    /// Bounds of the greatest of the least factors; absent: none is proved.
-    std::optional<std::pair<double, double>> minimum{};
+    bool at_none = false;  ///< some load is not carried at any factor; nothing else is known
+    Bracket largest{};     ///< of the least of the largest factors
+    Bracket minimum{};     ///< of the greatest of the least factors
+    bool struts = false;   ///< as in LoadInterval
   };
   /// Patterns that stick, one example each; others are not covered.
   struct Example {
@@ -279,10 +484,9 @@ struct CertificateCheck {
     std::vector<std::string> kept{};  ///< members that are not lost
     std::vector<std::string> lost{};  ///< the worst loss
     bool fatal = false;               ///< no factor remains after it
-    std::optional<double> lower{};    ///< absent: only the upper bound is proved
-    double upper = 0;
-    bool struts = false;  ///< as in LoadInterval
-    double sudden = 1;    ///< as in MemberLoss
+    Bracket factor{};                 ///< open on both sides if the loss is fatal
+    bool struts = false;              ///< as in LoadInterval
+    double sudden = 1;                ///< as in MemberLoss
   };
   std::uint64_t refusals = 0;
   std::variant<std::monostate, List, Example, Factor, Loss, Held> claim{};

@@ -1,4 +1,4 @@
-// Verdict in a result file: the key `verdict`.
+// Verdict in a result file: the key `verdict`, and first members of `result`.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,13 +7,13 @@
 
 namespace kusabi::answer {
 
-/// Sentence, details, reservations, exit code, and counts and bounds, each bound with its standing.
+/// Sentence, details, reservations and exit code.
 nlohmann::ordered_json verdict_json(const Verdict& verdict);
 
-/// "proved" or "computed".
-const char* standing_name(Standing standing);
+/// Counts and bounds, each bound with its standing; null if the command has no answer.
+nlohmann::ordered_json answer_json(const Verdict& verdict);
 
-/// "exact-arithmetic" or "solver-bounds".
-const char* grounds_name(Grounds grounds);
+/// The schemas of both, for `$defs`: `verdict`, and the first members of `result` by their `kind`.
+nlohmann::ordered_json answer_definitions();
 
 }  // namespace kusabi::answer

@@ -22,7 +22,7 @@ bool is_refuted(const std::optional<ExactRemainder>& remainder) {
 void reserve_large_displacements(std::optional<double> ratio, std::vector<Reservation>& all) {
   if (!ratio) return;
   all.push_back(
-      {fmt::format("The proofs are for displacements up to {:.2g} times the strains.", *ratio),
+      {fmt::format("The proofs are for displacements up to {:.2g} times the strains only.", *ratio),
        false});
 }
 
@@ -43,27 +43,35 @@ void reserve(const ExactRemainder& remainder, std::vector<Reservation>& all) {
 
 }  // namespace
 
+namespace {
+
+bool is_complete(const Sticking& found, engine::Status ended) {
+  return ended == engine::Status::solved && found.undecided == 0 && !found.ambiguous &&
+         !found.remainder;
+}
+
+}  // namespace
+
+bool is_known_to_stick(const Sticking& found) {
+  return found.count != 0U && !is_refuted(found.remainder);
+}
+
+std::string next_step(bool of_patterns) {
+  return fmt::format("kusabi critical finds the {} below which it cannot stick{}.", coefficient,
+                     of_patterns ? "; --sort critical adds to the list that of each pattern" : "");
+}
+
 std::string headline_of(const Sticking& found, engine::Status ended) {
   const auto where =
       fmt::format("{} {}{}", coefficient, found.friction, of_each_candidate(found.factor));
-  const bool complete = ended == engine::Status::solved && found.undecided == 0 &&
-                        !found.ambiguous && !found.remainder;
-  if (found.example && !is_refuted(found.remainder)) {
-    return fmt::format(
-        "It can stick at {}: {}.", where,
-        found.count == 1U
-            ? "one pattern shows it"
-            : fmt::format("{} patterns show it, and there may be others", found.count.digits()));
-  }
-  if (found.count != 0U && !is_refuted(found.remainder)) {
+  const bool complete = is_complete(found, ended);
+  if (is_known_to_stick(found)) {
+    if (found.example) return fmt::format("Yes, it can stick at {}.", where);
     const auto count = counted(found.count, found.thing);
-    if (complete && found.thing == "way")
-      return fmt::format("It can stick in {} at {}.", count, where);
-    return fmt::format("It can stick: {}{} at {}.", count,
-                       complete            ? ""
-                       : found.count == 1U ? " is known"
-                                           : " are known",
-                       where);
+    const char* const known = found.count == 1U ? "is known" : "are known";
+    if (!complete) return fmt::format("It can stick at {}: {} {}.", where, count, known);
+    return found.thing == "way" ? fmt::format("It can stick in {} at {}.", count, where)
+                                : fmt::format("It can stick at {}, with {}.", where, count);
   }
   if (complete) return fmt::format("It cannot stick at {}.", where);
   return fmt::format("It is not known whether it can stick at {}.", where);
@@ -83,23 +91,31 @@ void reserve(const Sticking& found, engine::Status ended, std::vector<Reservatio
         {"Some numbers cannot be distinguished from zero: the lists may be wrong.", true});
   }
   if (found.remainder) reserve(*found.remainder, all);
-  if (found.standing == Standing::computed) {
-    all.push_back({fmt::format("The list is computed in floating point, not proved in exact "
-                               "arithmetic{}.",
-                               found.degenerate == 0
-                                   ? ""
-                                   : fmt::format(": of {}, with a margin of zero, nothing is "
-                                                 "proved",
-                                                 counted(found.degenerate, "degenerate node"))),
+  if (found.standing == Standing::computed && found.proved_cones) {
+    all.push_back({fmt::format("Exact arithmetic proves that the rays are in {} and no other; the "
+                               "rays themselves are computed in floating point.",
+                               found.proved_cones == 1U
+                                   ? "this maximal cone"
+                                   : fmt::format("these {} maximal cones", *found.proved_cones)),
                    false});
-  } else if (found.grounds == Grounds::solver_bounds && ended == engine::Status::solved) {
+  } else if (found.standing == Standing::computed) {
+    all.push_back(
+        {fmt::format("{} is computed in floating point, not proved in exact arithmetic{}.",
+                     found.count == 0U || found.example ? "This" : "The list",
+                     found.degenerate == 0
+                         ? ""
+                         : fmt::format(": of {}, with a margin of zero, nothing is "
+                                       "proved",
+                                       counted(found.degenerate, "degenerate node"))),
+         false});
+  } else if (found.grounds == Grounds::solver_bounds && is_complete(found, ended)) {
     all.push_back({fmt::format("{}; --prove adds exact arithmetic.", proved_by_bounds), false});
   }
-  if (found.standing == Standing::proved)
+  if (found.standing == Standing::proved || found.proved_cones)
     reserve_large_displacements(found.displacement_ratio, all);
 }
 
-std::string headline_of(const CriticalBracket& found, engine::Status /*ended*/) {
+std::string headline_of(const CriticalBracket& found, engine::Status ended) {
   const auto& [lower, upper] = found.bracket;
   if (!lower && !upper)
     return fmt::format("The {} from which it can stick is not known.", coefficient);
@@ -115,25 +131,24 @@ std::string headline_of(const CriticalBracket& found, engine::Status /*ended*/) 
                        unless_proved(upper->standing));
   }
   const auto shown = support::in_sentence(lower->value, upper->value);
-  return fmt::format("It cannot stick below {} {}{}{}; at {} it can{}.", coefficient, shown.lower,
+  return fmt::format("It cannot stick below {} {}{}{}; at {} it can{}{}.", coefficient, shown.lower,
                      of_each_candidate(found.factor), unless_proved(lower->standing), shown.upper,
-                     unless_proved(upper->standing));
+                     unless_proved(upper->standing), in_between(found.wide, ended));
 }
 
 void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Reservation>& all) {
   const auto& [lower, upper] = found.bracket;
   const bool solved = ended == engine::Status::solved;
   if (!upper && (!lower || lower->value < found.maximum)) {
-    all.push_back({fmt::format("It is undecided whether it can stick between {:.12g} and {:.12g}.",
-                               lower ? lower->value : 0, found.maximum),
+    all.push_back({fmt::format("It is undecided whether it can stick at {}s between {:.12g} and "
+                               "{:.12g}.",
+                               coefficient, lower ? lower->value : 0, found.maximum),
                    true});
   }
   if (found.wide && upper) {
-    all.push_back(
-        {fmt::format("The bracket is {:.2g} wide, wider than requested ({:g}): within it, it is "
-                     "undecided whether it can stick.",
-                     upper->value - (lower ? lower->value : 0), found.width),
-         true});
+    all.push_back({fmt::format("The bracket is {:.2g} wide, wider than requested ({:g}).",
+                               upper->value - (lower ? lower->value : 0), found.width),
+                   true});
   }
   if (lower && !is_proved(lower)) {
     all.push_back(
@@ -165,26 +180,24 @@ void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Res
 
 std::string bracket_line(const CriticalBracket& found) {
   const auto& [lower, upper] = found.bracket;
-  const auto standing = [](const Bound& bound) {
-    return bound.standing == Standing::proved ? "proved" : "computed, not proved";
-  };
+  const auto standing = [](const Bound& bound) { return in_brackets(bound.standing); };
   const auto name = fmt::format("critical {}{}", coefficient, of_each_candidate(found.factor));
   if (lower && upper) {
     const auto shown = support::in_table(lower->value, upper->value);
     if (lower->standing == upper->standing) {
-      return fmt::format("{}: between {} and {} ({})\n", name, shown.lower, shown.upper,
+      return fmt::format("{}: between {} and {} {}\n", name, shown.lower, shown.upper,
                          standing(*lower));
     }
-    return fmt::format("{}: between {} ({}) and {} ({})\n", name, shown.lower, standing(*lower),
+    return fmt::format("{}: between {} {} and {} {}\n", name, shown.lower, standing(*lower),
                        shown.upper, standing(*upper));
   }
   if (lower) {
-    return fmt::format("{}: above {} ({})\n", name,
+    return fmt::format("{}: above {} {}\n", name,
                        support::rounded_down(lower->value, support::digits_of_table),
                        standing(*lower));
   }
   if (upper) {
-    return fmt::format("{}: at most {} ({})\n", name,
+    return fmt::format("{}: at most {} {}\n", name,
                        support::rounded_up(upper->value, support::digits_of_table),
                        standing(*upper));
   }
@@ -207,7 +220,7 @@ std::string headline_of(const FrictionSteps& found, engine::Status /*ended*/) {
                                       support::rounded_down(value, digits_of_sweep),
                                       of_each_candidate(found.factor));
   return fmt::format(
-      "{}; at {} there {} {}{}{}.", head, found.maximum, found.count == 1U ? "is" : "are",
+      "{}; at {} there {} {}{}{}.", head, maximum, found.count == 1U ? "is" : "are",
       counted(found.count, "sign pattern"),
       found.open_at_most == 0 ? "" : fmt::format(" and {} undecided", found.open_at_most),
       unless_proved(standing));
@@ -227,11 +240,12 @@ void reserve(const FrictionSteps& found, std::vector<Reservation>& all) {
                    true});
   }
   if (found.undecided_points > 0) {
-    all.push_back({fmt::format("The count is undecided at {} of the points: these are within a "
-                               "bracket in which a pattern first sticks, or above an undecided "
-                               "pattern. A smaller --width, or another point, decides the former.",
-                               found.undecided_points),
-                   true});
+    all.push_back(
+        {fmt::format("The count is undecided at {} of the requested points: these are within a "
+                     "bracket in which a pattern first sticks, or above an undecided "
+                     "pattern. A smaller --width, or another point, decides the former.",
+                     found.undecided_points),
+         true});
   }
 }
 

@@ -20,7 +20,7 @@ std::string early_end(const Verdict& verdict) {
   auto text = fmt::format("Stopped early ({})", status_name(verdict.ended));
   if (std::holds_alternative<Sticking>(verdict.answer)) {
     text += verdict.nodes_left == 0 ? ": the list is not complete"
-                                    : fmt::format(": {} left, the list is not complete",
+                                    : fmt::format(": {} left, and the list is not complete",
                                                   counted(verdict.nodes_left, "open node") +
                                                       (verdict.nodes_left == 1 ? " is" : " are"));
   } else if (std::holds_alternative<CertificateCheck>(verdict.answer)) {
@@ -33,6 +33,18 @@ std::string early_end(const Verdict& verdict) {
 }
 
 }  // namespace
+
+const char* standing_word(Standing standing) {
+  return names_of(standing).at(static_cast<std::size_t>(standing)).data();
+}
+
+const char* in_brackets(Standing standing) {
+  return standing == Standing::proved ? "(proved)" : "(computed, not proved)";
+}
+
+const char* in_between(bool wide, engine::Status ended) {
+  return wide || ended != engine::Status::solved ? "; in between, this is not known" : "";
+}
 
 const char* unless_proved(Standing standing) {
   return standing == Standing::proved ? "" : " (computed, not proved)";

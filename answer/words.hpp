@@ -13,6 +13,21 @@ namespace kusabi::answer {
 /// command has no answer.
 std::string headline(const Verdict& verdict);
 
+/// False also if it cannot.
+bool is_known_to_stick(const Sticking& found);
+
+/// What a list at one friction coefficient does not say. @param of_patterns also of each pattern
+std::string next_step(bool of_patterns);
+
+/// "proved" or "computed": for cells of tables, and in result files.
+const char* standing_word(Standing standing);
+
+/// Suffix of a clause: empty if proved, otherwise " (computed, not proved)".
+const char* unless_proved(Standing standing);
+
+/// "(proved)" or "(computed, not proved)".
+const char* in_brackets(Standing standing);
+
 /// A limitation of the headline.
 struct Reservation {
   std::string sentence;
@@ -28,6 +43,21 @@ std::string factor_claim(const CertificateCheck::Factor& factor);
 
 /// The claim of a certificate of the loss of members: "PROVED: after the loss of any member …".
 std::string loss_claim(const CertificateCheck::Loss& loss);
+
+/// The claim with its proof: "PROVED: …".
+std::string proved(const std::string& claim);
+
+/// Sentences about certificates that a run was to write.
+std::string not_in_certificate(std::uint64_t degenerate_nodes);
+std::string no_certificate(const std::string& why);
+inline constexpr const char* no_proved_lower_bound =
+    "No certificate of a lower bound was written, since none is proved.";
+inline constexpr const char* no_proved_upper_bound =
+    "No certificate of the upper bound was written, since it is computed, not proved.";
+inline constexpr const char* nothing_is_proved = "it would contain no proof";
+inline constexpr const char* not_all_is_proved = "not all bounds are proved";
+inline constexpr const char* ended_before_the_proof =
+    "the search stopped before both bounds were proved";
 
 /// A critical friction coefficient for a table: both bounds and their standing.
 std::string bracket_line(const CriticalBracket& found);

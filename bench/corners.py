@@ -85,14 +85,15 @@ def main():
             shared = timed([*shlex.split(arguments.mpirun), *call])[0] if arguments.mpirun else float("nan")
             found = json.loads(output.read_text())
             worst, interval = found["result"]["worst_case"], found["result"]["guaranteed_interval"]
-            bracket = f"{worst['lower']} ... {worst['upper']}"
-            state = "" if worst["proved"] and interval["proved"] else " (open)"
+            low, high = worst["lower"]["value"], worst["upper"]["value"]
+            bracket = f"{low} ... {high}"
+            state = "" if worst["standing"] == interval["standing"] == "proved" else " (open)"
             line = (f"{row:<14} {found['problem']['members']:>7} {found['problem']['m']:>5} {alone:>8.2f}s {shared:>8.2f}s"
                     f"  {bracket}{state}")
             if not arguments.no_peer and shutil.which("glpsol"):
                 seconds, least = peer(arguments.kusabi, file, folder)
                 line += f" {seconds:>8.2f}s  {least}"
-                if least is not None and not worst["lower"] - 1e-5 <= least <= worst["upper"] + 1e-5:
+                if least is not None and not low - 1e-5 <= least <= high + 1e-5:
                     raise SystemExit(f"{line}\n{row}: the corners differ")
             print(line, flush=True)
 

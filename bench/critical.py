@@ -61,7 +61,7 @@ def main():
             g, e, n, b = map(figures, (found, listed, newton, bisection))
             print(f"{size[0] * size[1]:<3} {most:<5} {listed['result']['count']:>8} | {g[0]:>13} {g[1]:>8} {g[2]:>7.3f} | "
                   f"{e[0]:>18} {e[2]:>7.3f} | {n[1]:>16} {n[2]:>7.3f} | {b[1]:>19} {b[2]:>7.3f} | "
-                  f"{bracket['lower']:.8f}", flush=True)
+                  f"{bracket['lower']['value']:.8f}", flush=True)
 
         size, most = SCALED
         file = truss(size)

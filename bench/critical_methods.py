@@ -85,10 +85,10 @@ def show(name, kusabi, file, folder, method, most=None):
     result = json.loads(output.read_text())
     searches = result["statistics"]["searches"]
     proofs = sum(each["programs"] for each in searches if each["phase"].endswith("end"))
-    bracket = result["result"]["critical_friction"]
-    print(f"{label} {sum(each['programs'] for each in searches) - proofs:8} + {proofs:<6} {bracket['lower']:.10g}"
-          f" … {bracket['upper']}", flush=True)
-    return bracket["lower"], bracket["upper"]
+    low, high = (bound and bound["value"] for bound in result["result"]["critical_friction"].values())
+    print(f"{label} {sum(each['programs'] for each in searches) - proofs:8} + {proofs:<6} {low or 0:.10g} … {high}",
+          flush=True)
+    return low or 0, high
 
 
 if __name__ == "__main__":

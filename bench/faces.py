@@ -238,10 +238,11 @@ def brackets(kusabi, folder, rows):
         with open(output) as file:
             answer = json.load(file)
         ends = answer["result"]["critical_friction"]
-        proved = [end for end in ("lower", "upper") if ends[end + "_proved"]]
-        upper = "-" if ends["upper"] is None else f"{ends['upper']:.8f}"
-        print(f"{name:<16} {answer['problem']['m']:>10} {seconds:>7.1f} {ends['lower']:>12.8f} {upper:>12} "
-              f"{', '.join(proved):>12}  {judged(goal, seconds, ends['upper'], ends['lower'], len(proved) == 2)}", flush=True)
+        proved = [end for end, bound in ends.items() if bound and bound["standing"] == "proved"]
+        low, high = (bound and bound["value"] for bound in (ends["lower"], ends["upper"]))
+        print(f"{name:<16} {answer['problem']['m']:>10} {seconds:>7.1f} {low or 0:>12.8f} "
+              f"{'-' if high is None else f'{high:.8f}':>12} "
+              f"{', '.join(proved):>12}  {judged(goal, seconds, high, low or 0, len(proved) == 2)}", flush=True)
 
 
 FRICTION = "5.2"

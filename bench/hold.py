@@ -96,7 +96,9 @@ def measured(kusabi, file, ranks, limit, cuts):
 
 def answer(result):
     ended = "" if result["status"] == "solved" else f" ({result['status']})"
-    return "; ".join(f"{each['low']} to {each['high']}" for each in result["result"]["intervals"]) + ended
+    ends = [[bound and bound["value"] for bound in (each["below"]["upper"], each["above"]["lower"])]
+            for each in result["result"]["intervals"]]
+    return "; ".join(f"{low} to {high}" for low, high in ends) + ended
 
 
 def main():

@@ -61,7 +61,8 @@ def measure(kusabi, folder, bays, alpha):
         answer = json.load(text)
     worst = answer["result"]["worst_case"]
     return {"file": file, "members": len(answer["result"]["nominal_forces"]), "seconds": seconds, "verify": checked,
-            "uncertain": answer["result"]["uncertain_components"], "lower": worst["lower"], "upper": worst["upper"],
+            "uncertain": answer["result"]["uncertain_components"], "lower": worst["lower"]["value"],
+            "upper": worst["upper"]["value"],
             "megabytes": os.path.getsize(cert) / 1e6}
 
 

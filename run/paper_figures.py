@@ -66,7 +66,7 @@ def coefficients(digits):
 
 def critical(run):
     found = run.result["critical_friction"]
-    return enclosed(found["lower"], found["upper"], 4)
+    return enclosed(found["lower"]["value"], found["upper"]["value"], 4)
 
 
 def enclosed(lower, upper, digits):
@@ -120,7 +120,7 @@ def nominal(run):
 
 def worst_case(run):
     ends = run.result["worst_case"]
-    return enclosed(ends["lower"], ends["upper"], 4)
+    return enclosed(ends["lower"]["value"], ends["upper"]["value"], 4)
 
 
 def sway(mode):
@@ -170,7 +170,7 @@ def stopped(run):
 
 
 def samples(run):
-    least, worst = run.result["samples"]["least"], run.result["worst_case"]["upper"]
+    least, worst = run.result["samples"]["least"], run.result["worst_case"]["upper"]["value"]
     return "all above λ_min" if least >= worst else f"some below: {least:.4f}"
 
 

@@ -4,7 +4,6 @@
 
 #include <limits>
 #include <optional>
-#include <utility>
 
 namespace kusabi::support {
 
@@ -40,7 +39,9 @@ struct Bound {
   }
 };
 
-inline bool is_proved(const std::optional<Bound>& bound) { return bound && bound->proved(); }
+inline bool is_proved(const std::optional<Bound>& bound) {
+  return bound && bound->proved();
+}
 
 /// A number between two bounds. An absent bound is open: nothing is known on that side.
 struct Bracket {

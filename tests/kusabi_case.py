@@ -22,6 +22,15 @@ def moved(text, along_x):
     return re.sub(r"corners = (\[\[.*\]\])", numbers, text)
 
 
+def with_ends(held):
+    """An interval of factors, or a range of sums of reactions, that `hold` has found, with its ends by name: `low` and
+    `high` are held, `low_out` and `high_out` are not; None: there is none, or it is not known."""
+    below, above = (held[key] for key in (("below", "above") if "below" in held else ("minimum", "maximum")))
+    bounds = {"low": below["upper"], "low_out": below["lower"], "high": above["lower"], "high_out": above["upper"]}
+    return {**held, **{end: bound and bound["value"] for end, bound in bounds.items()},
+            **{f"{end}_proved": bool(bound) and bound["standing"] == "proved" for end, bound in bounds.items()}}
+
+
 class KusabiCase(unittest.TestCase):
     """Each test has its own `folder`, and the path of a `result` file in it."""
 

@@ -96,7 +96,7 @@ def count(result, printed):
 
 
 def proved(ends):
-    return ends["lower_proved"] and ends["upper_proved"]
+    return all(bound and bound["standing"] == "proved" for bound in (ends["lower"], ends["upper"]))
 
 
 def bracket(key, truth, relative=1e-6):
@@ -104,7 +104,7 @@ def bracket(key, truth, relative=1e-6):
     @param truth a number in it, which is part of the answer"""
     def answer(result, printed):
         ends = result["result"][key]
-        low, high = ends["lower"], ends["upper"]
+        low, high = (bound["value"] if bound else float("nan") for bound in (ends["lower"], ends["upper"]))
         if not proved(ends) or high - low > relative * abs(high):
             return f"{result['status']}, from {low} to {high}, {'' if proved(ends) else 'not '}proved"
         contains = low - relative * abs(truth) <= truth <= high + relative * abs(truth)
@@ -116,7 +116,7 @@ def within(least, most):
     """A proved bracket of the critical coefficient that lies between these coefficients."""
     def answer(result, printed):
         ends = result["result"]["critical_friction"]
-        inside = proved(ends) and least <= ends["lower"] and ends["upper"] <= most
+        inside = proved(ends) and least <= ends["lower"]["value"] and ends["upper"]["value"] <= most
         return f"{result['status']}, " + (f"proved within {least} and {most}" if inside else str(ends))
     return answer
 
@@ -124,7 +124,7 @@ def within(least, most):
 def interval(result, printed):
     """The only interval of load factors."""
     (only,) = result["result"]["intervals"]
-    return f"{result['status']}, {only['low']:.2f} to {only['high']:.2f}"
+    return f"{result['status']}, {only['below']['upper']['value']:.2f} to {only['above']['lower']['value']:.2f}"
 
 
 def verified(result, printed):

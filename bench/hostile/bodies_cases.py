@@ -69,7 +69,7 @@ def _certificate(kusabi, case, path):
     proved, _, line = kusabi.run("verify", evidence, "--problem", path)
     if code == 3 and case["far"]:
         return
-    ties = result["result"]["exact"]["ties"]  # no claim, as it states
+    ties = result["result"]["exact"]["unproved"]  # no claim, as it states
     if proved != code and not (proved == 3 and ties):
         yield f"patterns: exit code {code}, verify: {proved}: {line}"
 
@@ -90,13 +90,13 @@ def _ends(kusabi, case, path):
     if result is None:
         yield f"critical: exit code {code}: {line}"
         return
-    bracket = result["result"]["critical_friction"]
+    low, high = result["result"]["critical_friction"].values()
     dead, feasible = case["critical"]
-    if bracket["lower_proved"] and feasible is not None and bracket["lower"] > feasible:
-        yield f"critical: the proved lower bound is {bracket['lower']}, but a pattern is feasible at {feasible}"
-    if bracket["upper"] is not None and bracket.get("upper_proved") and bracket["upper"] < dead:
-        yield f"critical: the proved upper bound is {bracket['upper']}, but no pattern is feasible up to {dead}"
-    if code == 0 and not bracket["lower_proved"]:
+    if low and low["standing"] == "proved" and feasible is not None and low["value"] > feasible:
+        yield f"critical: the proved lower bound is {low['value']}, but a pattern is feasible at {feasible}"
+    if high and high["standing"] == "proved" and high["value"] < dead:
+        yield f"critical: the proved upper bound is {high['value']}, but no pattern is feasible up to {dead}"
+    if code == 0 and low and low["standing"] != "proved":
         yield "critical: exit code 0 with a lower end that is not proved"
     if code != 0 and not case["far"]:
         yield f"critical: exit code {code}: {line}"

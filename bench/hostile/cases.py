@@ -26,8 +26,8 @@ def _patterns(expected, result):
     for truth in expected["blocks"]:
         members = set(truth["candidates"])
         mine = [p for p in result["patterns"] if set(p["contact"]) | set(p["separated"]) <= members]
-        mine = [{**p, "at_rest": [n for n in p.get("at_rest", ()) if n in members]} for p in mine]
-        keys = ("contact", "separated", "at_rest")
+        mine = [{**p, "inactive": [n for n in p.get("inactive", ()) if n in members]} for p in mine]
+        keys = ("contact", "separated", "inactive")
         if _set(mine, *keys) != _set(truth["patterns"], *keys):
             yield f"block {sorted(members)}: {len(mine)} cones, not those {truth['count']}"
             continue
@@ -48,7 +48,8 @@ def _rays(expected, result):
 
 
 def _critical(expected, result):
-    lower, upper = result["critical_friction"]["lower"], result["critical_friction"]["upper"]
+    lower, upper = (bound and bound["value"] for bound in result["critical_friction"].values())
+    lower = lower or 0.0
     low, high = (float(x) for x in expected["critical_friction"])
     if upper is None:
         yield f"nothing can wedge up to {lower}, but from {low} on"

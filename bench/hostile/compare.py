@@ -6,9 +6,13 @@ import subprocess
 from decimal import Decimal
 from itertools import product
 
-DISAGREE, OPEN, UNDECIDED, REFUSED = "disagreement", "open", "doubtful", "refused"
+DISAGREE, OPEN, UNDECIDED, REFUSED = "disagreement", "open", "undecided", "refused"
 #: Default width of the brackets of `critical`.
 WIDTH = 1e-8
+
+
+#: Without a bound: nothing sticks without friction.
+OPEN_BELOW = {"value": 0.0, "standing": "proved"}
 
 
 class Finding:
@@ -51,7 +55,7 @@ def whole_cones(result):
     everything = [name for block in result["blocks"] for name in block["candidates"]] if "blocks" in result else None
     parts = {}
     for pattern in result["patterns"]:
-        if pattern["state"] not in ("alive", "flat"):
+        if pattern["state"] not in ("feasible", "flat"):
             continue
         key = frozenset(pattern["contact"]), frozenset(pattern["separated"])
         parts.setdefault(pattern.get("block", 1), []).append((key, pattern))
@@ -59,10 +63,10 @@ def whole_cones(result):
     for choice in product(*parts.values()) if parts else ():
         pressing = frozenset().union(*(key[0] for key, _ in choice))
         parted = frozenset().union(*(key[1] for key, _ in choice))
-        rest = [set(pattern.get("at_rest", ())) for _, pattern in choice]
+        rest = [set(pattern.get("inactive", ())) for _, pattern in choice]
         candidates = set(everything) if everything else set(pressing | parted).union(*rest)
         whole = len(pressing) + len(parted) == len(candidates)
-        cones[pressing, parted] = whole and all(pattern["state"] == "alive" for _, pattern in choice)
+        cones[pressing, parted] = whole and all(pattern["state"] == "feasible" for _, pattern in choice)
     return cones
 
 
@@ -139,8 +143,8 @@ class Judge:
             return None
         tree = result.get("tree", {})
         self._count("nodes", tree.get("opened", 0))
-        self._count("climbed", tree.get("climbed", 0) or 0)
-        left = result["marginal"] + result["undecided"] + ("doubt" in result.get("exact", {}))
+        self._count("escalated", tree.get("escalated", 0) or 0)
+        left = result["marginal"] + result["undecided"] + bool(result["exact_remainder"])
         if (code == 3) != (left > 0):
             self._find(DISAGREE, asked, f"exit code {code} with {result['marginal']} marginal, {result['undecided']} undecided")
         if left:
@@ -153,7 +157,7 @@ class Judge:
             wrong = [key for key in got if got[key] != truth.cones[key]]
             if wrong and not self.excuse(truth):
                 self._find(DISAGREE, asked, f"solid or flat: {describe(wrong)} is {'solid' if truth.cones[wrong[0]] else 'flat'}")
-            for pattern in [p for p in result["patterns"] if p["state"] == "alive"][:margins]:
+            for pattern in [p for p in result["patterns"] if p["state"] == "feasible"][:margins]:
                 self._margin(asked, mu, pattern)
         return got
 
@@ -174,8 +178,8 @@ class Judge:
         code, result, _, asked = self._ask("rays", self.file, "--mu", repr(mu), *more)
         if result is None:
             return
-        if code == 3 or result["health"]["doubtful"]:
-            self.left_open(asked, f"{result['health']['doubtful']} doubtful zeros")
+        if code == 3 or result["health"]["undecided"]:
+            self.left_open(asked, f"{result['health']['undecided']} undecided zeros")
             return
         got = {(frozenset(c["contact"]) - frozenset(c.get("idle", ())), frozenset(c["separated"])) for c in result["cones"]}
         if not self._differs(asked, got, truth.cones, self.excuse(truth)) and truth.rays not in (None, result["count"]):
@@ -187,11 +191,12 @@ class Judge:
         code, result, _, asked = self._ask("critical", self.file, *more)
         if result is None:
             return None
-        ends = result["critical_friction"]["lower"], result["critical_friction"]["upper"]
+        bounds = result["critical_friction"]["lower"] or OPEN_BELOW, result["critical_friction"]["upper"]
+        ends = bounds[0]["value"], bounds[1] and bounds[1]["value"]
         if code == 3:
             self.left_open(asked, f"bracket {ends[0]!r} .. {ends[1]!r}")
-            bracket = result["critical_friction"]
-            self._true_bracket(asked, ends[0] if bracket["lower_proved"] else 0.0, ends[1] if bracket["upper_proved"] else None)
+            low, high = (bound["value"] if bound and bound["standing"] == "proved" else None for bound in bounds)
+            self._true_bracket(asked, low or 0.0, high)
             return None
         return ends
 
@@ -255,7 +260,7 @@ class Judge:
                 self._count("certificates")
                 # Degenerate patterns cannot be proved: `patterns` counts them.
                 answer = result["result"]
-                ties = answer["exact"]["ties"] if "exact" in answer else asked[0] == "critical" and file.endswith(".upper")
+                ties = answer["exact"]["unproved"] if "exact" in answer else asked[0] == "critical" and file.endswith(".upper")
                 if proved != 0 and not (proved == 3 and ties):
                     self._find(OPEN if proved == 3 else DISAGREE, f"{asked[0]} --certificate, verify {os.path.basename(file)} {' '.join(more[:1])}",
                                f"exit code {proved}: {line}")

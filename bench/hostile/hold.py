@@ -257,18 +257,21 @@ def near(a, b, room=NEAR):
     return a == b or abs(a - b) <= room * max(1, abs(a), abs(b))
 
 
+def value(bound, otherwise):
+    return otherwise if bound is None else bound["value"]
+
+
 def without_points(intervals):
     return [(low, high) for low, high in intervals if not near(low, high)]
 
 
 def compare_intervals(what, result, code, truth):
     """Differences of an answer about load factors."""
-    answer = result["verdict"]["answer"]
-    held = [(-math.inf if each["low"] is None else each["low"], math.inf if each["high"] is None else each["high"])
-            for each in result["result"]["intervals"]]
+    answer = result["result"]
+    held = [(value(each["below"]["upper"], -math.inf), value(each["above"]["lower"], math.inf)) for each in answer["intervals"]]
     if answer["reason"] in ("supports", "wedging"):
         held = [(-math.inf, math.inf)]
-    proved = all(each["proved"] for each in result["result"]["intervals"])
+    proved = all(each["standing"] == "proved" for each in answer["intervals"])
     room = NEAR if proved else NEAR_COMPUTED
     if not proved:  # inequalities hold within the rounding of the numbers, times such factors
         truth = [(-math.inf if low < -LARGE_COMPUTED else low, math.inf if high > LARGE_COMPUTED else high) for low, high in truth]
@@ -284,21 +287,24 @@ def compare_intervals(what, result, code, truth):
 
 def compare_sums(what, grip, truth):
     """Differences of a range of sums of normal reactions."""
-    if grip["held"] is False:
+    if not grip["held"]:
         return [] if truth is None else [f"{what}: no state, but {truth}"]
     if truth is None:
-        return [] if grip["held"] is None else [f"{what}: {grip}, but there is no state"]
+        return [] if grip["standing"] == "computed" else [f"{what}: {grip}, but there is no state"]
     wrong = []
-    least, most = grip["least"], grip["most"]
-    if least["out_proved"] and least["out"] > truth[0] + NEAR * max(1, truth[0]):
-        wrong.append(f"{what}: not below {least['out']}, but {truth}")
-    if most is None:
+    least, most = grip["minimum"], grip["maximum"]
+    below, above = (None if end is None or end["standing"] != "proved" else end["value"] for end in (least["lower"], most["upper"]))
+    if below is not None and below > truth[0] + NEAR * max(1, truth[0]):
+        wrong.append(f"{what}: not below {below}, but {truth}")
+    if grip["unbounded"]:
         if not math.isinf(truth[1]):
             wrong.append(f"{what}: no upper bound, but {truth}")
-    elif most["out_proved"] and most["out"] < truth[1] - NEAR * max(1, truth[1]):
-        wrong.append(f"{what}: not above {most['out']}, but {truth}")
-    elif most["out_proved"] and not (near(least["held"], truth[0]) and near(most["held"], truth[1])):
-        wrong.append(f"{what}: {least['held']} to {most['held']}, but {truth}")
+    elif above is not None and above < truth[1] - NEAR * max(1, truth[1]):
+        wrong.append(f"{what}: not above {above}, but {truth}")
+    elif above is not None:
+        sums = value(least["upper"], math.inf), value(most["lower"], -math.inf)
+        if not (near(sums[0], truth[0]) and near(sums[1], truth[1])):
+            wrong.append(f"{what}: {sums[0]} to {sums[1]}, but {truth}")
     return wrong
 
 
@@ -358,15 +364,13 @@ def examine(kusabi, seed, index, cuts, space):
         return text, wrong, open_answers
     if result is None:
         return text, [*wrong, f"hold: exit code {code}: {line}"], open_answers
-    found = result["result"]["holding_friction"]
+    low, high = (result["result"]["holding_friction"][end] for end in ("lower", "upper"))
     open_answers += code == 3
     # Near a critical coefficient the reactions grow beyond those of the programs.
-    if found["lower_proved"] and found["lower"] and loaded.holds(found["lower"] * (1 - 1e-9)):
-        wrong.append(f"hold: the dead load is held at the lower bound {found['lower']}")
-    if not found["lower_proved"] and found["lower"] and loaded.holds(found["lower"] * 0.999):
-        wrong.append(f"hold: the dead load is held below the computed lower bound {found['lower']}")
-    if found["upper_proved"] and found["upper"] is not None and not loaded.holds(found["upper"] * (1 + 1e-3)):
-        wrong.append(f"hold: the dead load is not held at the upper bound {found['upper']}")
+    if low and low["value"] and loaded.holds(low["value"] * (1 - (1e-9 if low["standing"] == "proved" else 1e-3))):
+        wrong.append(f"hold: the dead load is held at the {low['standing']} lower bound {low['value']}")
+    if high and high["standing"] == "proved" and not loaded.holds(high["value"] * (1 + 1e-3)):
+        wrong.append(f"hold: the dead load is not held at the upper bound {high['value']}")
     wrong += verify("hold", kusabi, path, ["cert.lower", "cert.upper"])
     return text, wrong, open_answers
 

@@ -36,14 +36,14 @@ def _open(command, answer):
     for key in ("marginal", "undecided"):
         if answer.get(key):
             left.append(f"{answer[key]} {key}")
-    if "doubt" in answer.get("exact", {}):
-        left.append(answer["exact"]["doubt"])
-    if answer.get("health", {}).get("doubtful"):
-        left.append("doubtful numbers")
+    if answer.get("exact_remainder"):
+        left.append(answer["exact_remainder"]["why"])
+    if answer.get("health", {}).get("undecided"):
+        left.append("undecided numbers")
     if command == "critical":
         bracket = answer["critical_friction"]
-        left += list(answer.get("open", []))
-        left += ["lower not proved"] if not bracket["lower_proved"] else []
+        left += ["bracket is wide"] if answer["wide"] else []
+        left += ["lower not proved"] if (bracket["lower"] or {}).get("standing") == "computed" else []
     if command == "sweep":
         left += ["open leaves"] if answer["open"] else []
         left += [f"no count at {p['mu']}" for p in answer["points"] if p["count"] is None]

@@ -260,13 +260,13 @@ class Judged:
         self.program, self.truth, self.code, self.result = program, truth, code, result
         self.wrong, self.open = self._wrong(said), None
         if not self.wrong and code != 0:
-            self.open = f"{result.get('answer')}: objective {result.get('objective')}, bound {result.get('bound')}"
+            self.open = f"{result.get('state')}: objective {result.get('objective')}, bound {result.get('bound')}"
 
     def _wrong(self, said):
         status, value = self.truth
         if self.code not in (0, 3) or not self.result:
             return f"exit code {self.code}: {said.strip().splitlines()[-1] if said.strip() else 'nothing said'}"
-        answer = self.result["answer"]
+        answer = self.result["state"]
         if self.code == 0 and answer != status:
             return f"{answer}, exit code 0"
         if self.code == 3 and answer not in ("feasible", "unknown"):
@@ -282,13 +282,13 @@ class Judged:
         size = max(abs(value), min((abs(Fraction(c.cost)) for c in self.program.columns if c.cost), default=Fraction(1)))
         bound = self.result.get("bound")
         if bound is not None:
-            room = 0 if self.result.get("proved") else TOLERANCE * size
-            if sign * Fraction(bound) > sign * value + room:
-                return f"bound {bound} beyond the optimum {float(value)!r}"
-        if self.result["answer"] not in ("optimal", "feasible"):
+            room = 0 if bound["standing"] == "proved" else TOLERANCE * size
+            if sign * Fraction(bound["value"]) > sign * value + room:
+                return f"bound {bound['value']} beyond the optimum {float(value)!r}"
+        if self.result["state"] not in ("optimal", "feasible"):
             return None
         objective = Fraction(self.result["objective"])
-        if self.result["answer"] == "optimal" and abs(objective - value) > TOLERANCE * size:
+        if self.result["state"] == "optimal" and abs(objective - value) > TOLERANCE * size:
             return f"optimal {float(objective)!r}, but the optimum is {float(value)!r}"
         if sign * objective < sign * value - TOLERANCE * size:
             return f"a point of {float(objective)!r}, better than the optimum {float(value)!r}"

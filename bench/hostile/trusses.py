@@ -236,7 +236,7 @@ def contradicts(said, true):
     size = NEAR * (1 + max(map(abs, true)))
     if said["empty"] is (true[0] <= true[1] - size):
         return True
-    return any(bound is not None and sign * (bound - value) > size
+    return any(bound is not None and sign * (bound["value"] - value) > size
                for end, value in (("lower", true[0]), ("upper", true[1]))
                for bound, sign in ((said[end]["lower"], 1), (said[end]["upper"], -1)))
 
@@ -264,8 +264,8 @@ def same(said, true):
         return False
     if any(said[end][bound] is None for end in ("lower", "upper") for bound in ("lower", "upper")):
         return False  # not carried at any factor, or open
-    return all(said[end]["lower"] - NEAR * size <= value <= said[end]["upper"] + NEAR * size and
-               said[end]["upper"] - said[end]["lower"] <= NEAR * size
+    return all(said[end]["lower"]["value"] - NEAR * size <= value <= said[end]["upper"]["value"] + NEAR * size and
+               said[end]["upper"]["value"] - said[end]["lower"]["value"] <= NEAR * size
                for end, value in (("lower", least), ("upper", largest)))
 
 

@@ -88,7 +88,7 @@ def patterns(oracle, mu):
         for (pressing, parted), solid in sorted(plane.maximal(leaves).items(), key=lambda item: sorted(item[0][0])):
             named = lambda numbers: [oracle.names[block[k]] for k in sorted(numbers)]
             entry = {"contact": named(pressing), "separated": named(parted),
-                     "at_rest": named(set(range(len(block))) - pressing - parted), "state": "alive" if solid else "flat"}
+                     "inactive": named(set(range(len(block))) - pressing - parted), "state": "feasible" if solid else "flat"}
             if solid:
                 low, high = oracle.block_margin(mu, entry["contact"], entry["separated"])
                 assert high - low < abs(low) * Decimal("1e-4")

@@ -28,8 +28,8 @@ int answer(engine::Transport& transport, const char* file, double alpha) {
   if (!analysis.is_first()) return 0;
   if (found.nominal) std::printf("nominal load factor %.10f\n", found.nominal->factor);
   if (found.worst) {
-    std::printf("worst case %.10f to %.10f%s\n", found.worst->ends.lower, found.worst->ends.upper,
-                found.worst->proved ? ", proved" : "");
+    std::printf("worst case %.10f to %.10f%s\n", found.worst->ends.at_least(),
+                found.worst->ends.at_most(), found.worst->proved() ? ", proved" : "");
   }
   return found.whole() ? 0 : 3;
 }

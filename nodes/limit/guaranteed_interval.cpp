@@ -66,6 +66,12 @@ std::optional<bool> GuaranteedInterval::passed() const {
   return fails ? std::optional(false) : std::nullopt;
 }
 
+std::optional<Standing> at_no_factor(const LimitAnswer& answer) {
+  if (!answer.worst) return nominal_at_none(answer);
+  if (answer.worst->status != RootStatus::not_carried) return {};
+  return answer.worst->standing;
+}
+
 GuaranteedInterval guaranteed_interval(const LimitAnswer& answer) {
   GuaranteedInterval interval;
   if (!answer.worst) {

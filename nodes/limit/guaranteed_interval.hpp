@@ -21,12 +21,16 @@ struct GuaranteedInterval {
   [[nodiscard]] bool has_factors() const {
     return !at_none && minimum.upper && minimum.at_most() <= largest.at_least();
   }
-  /// Whether one of the two is proved.
+  /// proved: one of the two is proved.
   [[nodiscard]] support::Standing standing() const;
   /// True if every factor from 0 to 1, the stages of loading up to the design load, is proved to be
   /// carried under all admissible loads; false if one is proved not to be; otherwise nothing.
   [[nodiscard]] std::optional<bool> passed() const;
 };
+
+/// Standing of the claim that some admissible load, or the nominal one without a worst case, has no
+/// factor; nothing: none is known to have none.
+std::optional<support::Standing> at_no_factor(const LimitAnswer& answer);
 
 /// @pre answer.worst, or the nominal load has no factor
 GuaranteedInterval guaranteed_interval(const LimitAnswer& answer);

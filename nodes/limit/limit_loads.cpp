@@ -133,7 +133,7 @@ void find_worst_cases(RootSearch& search, const LimitParameters& parameters,
     const auto& [minimum, factor, gap] = answer.nominal_factors;
     const auto uncertain = search.model().uncertain_count();
     answer.worst = worst_without_uncertainty(answer, factor, uncertain);
-    answer.reversed = worst_without_uncertainty(answer, negative(minimum), uncertain);
+    answer.reversed = worst_without_uncertainty(answer, minimum.negative(), uncertain);
     return;
   }
   findings.statements.clear();
@@ -227,13 +227,14 @@ LimitFindings loads_at_strength(engine::Analysis& analysis, const problems::Stru
 }
 
 // Limit loads with all struts at their residual strength.
-LimitFindings loads_after_buckling(engine::Analysis& analysis, problems::Structure structure,
+LimitFindings loads_after_buckling(engine::Analysis& analysis, const problems::Structure& structure,
                                    problems::LimitProblem problem,
                                    const LimitParameters& parameters) {
-  problem.compression = parameters.residual;
-  for (std::size_t i = 0; i < structure.members.size(); ++i)
-    structure.members[i].yield->compression = parameters.residual(static_cast<Eigen::Index>(i));
-  return loads_at_strength(analysis, structure, problem,
+  const auto buckled = problems::after_buckling(structure);
+  problem.members = buckled.members;
+  for (int i = 0; i < problem.member_count(); ++i)
+    problem.compression(i) = problem.members[static_cast<std::size_t>(i)].yield->compression;
+  return loads_at_strength(analysis, buckled, problem,
                            {.alpha = parameters.alpha,
                             .split_from = parameters.split_from,
                             .corners = parameters.corners,
@@ -247,7 +248,7 @@ LimitFindings limit_loads(engine::Analysis& analysis, const problems::Structure&
                           const LimitParameters& parameters) {
   auto findings = loads_at_strength(analysis, structure, problem, parameters);
   const bool collapses = findings.answer.status == LoadStatus::collapses;
-  if (parameters.residual.size() == 0 || !collapses) return findings;
+  if (!problems::has_struts(structure) || !collapses) return findings;
   analysis.say("limit loads with all struts at their residual strength");
   auto residual = loads_after_buckling(analysis, structure, problem, parameters);
   findings.residual = std::move(residual.answer);
@@ -269,8 +270,8 @@ engine::Status LimitFindings::ended() const {
 }
 
 bool LimitFindings::whole() const {
-  return answer.whole() && (!residual || residual->whole()) && (!loss || loss->proved) &&
-         (!residual_loss || residual_loss->proved);
+  return answer.whole() && (!residual || residual->whole()) && (!loss || loss->proved()) &&
+         (!residual_loss || residual_loss->proved());
 }
 
 engine::Status LimitAnswer::ended() const {

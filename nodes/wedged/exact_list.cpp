@@ -2,6 +2,7 @@
 #include "nodes/wedged/exact_list.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <set>
 #include <string>
@@ -48,6 +49,9 @@ void add(ExactTest& test, const PatternFindings& list) {
   test.unproved += list.exact.unproved;
   test.closed_unproved += list.exact.closed_unproved;
   test.unable = list.exact.unable;
+  if (list.exact.displacement_ratio)
+    test.displacement_ratio =
+        std::min(*list.exact.displacement_ratio, test.displacement_ratio.value_or(HUGE_VAL));
   if (test.unable.empty() && !list.whole()) test.unable = "the exact test was stopped early";
   if (test.unable.empty() && list.unresolved() > 0)
     test.unable = "the exact test leaves patterns undecided";
@@ -106,6 +110,8 @@ ExactTest tested_cones(engine::Analysis& analysis, const ExactParameters& parame
     refute(test, fmt::format("by the exact test there are {} maximal cones, not these {}",
                              list.count().text(), found.size()));
   }
+  // Cones in which a body moves away are not compared, and nothing is proved of them.
+  if (test.proves() && list.flat == 0 && list.count() == found.size()) test.cones = found.size();
   return test;
 }
 

@@ -21,8 +21,8 @@ struct ExactParameters {
   Proving proving = Proving::automatic;
 };
 
-/// Compares the maximal cones that were found with those of the list. Nothing is done if no test is
-/// required. Every rank makes the same call; the answer is valid on rank 0.
+/// Compares the maximal cones that were found with those of the list: it proves their sets of
+/// candidates, not the rays in them. Nothing is done if no test is required. Every rank makes the same call; the answer is valid on rank 0.
 /// @param found of a complete search
 ExactTest tested_cones(engine::Analysis& analysis, const ExactParameters& parameters,
                        std::span<const double> friction, const std::vector<rays::Cone>& found);

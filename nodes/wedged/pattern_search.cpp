@@ -149,7 +149,7 @@ void test_all_nodes(SignPatternTree& tree, const EvidenceCheck& check, bool unco
   // For constrained bodies the bounds of the solver are valid without the test. For unconstrained
   // ones they depend on its tolerances for rigid-body modes.
   if (!check.can_prove() && unconstrained)
-    findings.exact.unable = "its stiffness is too ill-conditioned to be proved definite";
+    findings.exact.unable = "its stiffness is too ill-conditioned for an exact factor";
   if (check.can_prove() || unconstrained)
     tree.test_with([&check](const auto& evidence) { return check.proof(evidence); }, true);
 }

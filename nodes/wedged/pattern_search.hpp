@@ -48,7 +48,11 @@ struct ExactTest {
   std::uint64_t unproved = 0;  ///< closed nodes without claim that it does not prove either
   /// Proved for displacements up to this many times the strains only; absent: for all.
   std::optional<double> displacement_ratio{};
+  /// Of `rays`: the number of maximal cones, if it proves that they are those found.
+  std::optional<std::size_t> cones{};
 
+  /// True if it proves that the list is complete and correct.
+  [[nodiscard]] bool proves() const { return done && !is_open() && unproved == 0; }
   /// True if the list may be incomplete although all its patterns are decided.
   [[nodiscard]] bool is_open() const {
     return !unable.empty() || closed_unproved > 0 || (asked && unproved > 0);

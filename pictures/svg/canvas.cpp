@@ -19,7 +19,26 @@ std::string coordinates(const std::vector<PixelPoint>& points) {
   return text;
 }
 
+// Letters of a text in UTF-8.
+std::size_t letters(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
 }  // namespace
+
+std::vector<std::string> lines_of(std::string_view text, std::size_t longest) {
+  std::vector<std::string> lines(1);
+  while (!text.empty()) {
+    const auto word = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(word.size() + 1, text.size()));
+    if (!lines.back().empty() && letters(lines.back()) + 1 + letters(word) > longest)
+      lines.emplace_back();
+    if (!lines.back().empty()) lines.back() += ' ';
+    lines.back() += word;
+  }
+  return lines;
+}
 
 void Canvas::line(std::string_view kind, const PixelPoint& from, const PixelPoint& to) {
   fmt::format_to(std::back_inserter(text_),
@@ -68,6 +87,18 @@ void Canvas::words(std::string_view kind, const PixelPoint& at, std::string_view
   fmt::format_to(std::back_inserter(text_),
                  "<text class=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\">{}</text>\n",
                  kind, at.x(), at.y(), anchor, xml_text(text));
+}
+
+double Canvas::head(const PixelPoint& at, const std::string& title,
+                    const std::vector<std::string>& lines) {
+  constexpr std::size_t longest_title = 66;
+  double y = at.y() - 26;
+  for (const auto& line : lines_of(title, longest_title))
+    words("title", {at.x(), y += 26}, "start", line);
+  for (const auto& text : lines)
+    for (const auto& line : lines_of(text, longest_line))
+      words("line", {at.x(), y += 20}, "start", line);
+  return y;
 }
 
 void Canvas::begin_group(std::string_view kind, std::string_view title) {

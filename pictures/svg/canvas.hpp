@@ -1,6 +1,7 @@
 // Canvas: lines, areas and text of an SVG image. Classes determine the style (svg/style.hpp).
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,13 @@
 namespace kusabi::pictures {
 
 using PixelPoint = Eigen::Vector2d;  ///< pixels, y downwards
+
+/// Letters of a line that fill the width of a picture.
+inline constexpr std::size_t longest_line = 122;
+
+/// A text in lines of at most `longest` letters, broken at blanks; a longer word has its own line.
+/// At least one line.
+std::vector<std::string> lines_of(std::string_view text, std::size_t longest);
 
 class Canvas {
  public:
@@ -24,6 +32,10 @@ class Canvas {
   /// @param anchor "start", "middle" or "end"
   void words(std::string_view kind, const PixelPoint& at, std::string_view anchor,
              std::string_view text);
+  /// A title and lines below it, longer ones in several. @param at start of the title
+  /// @return y of the last line
+  double head(const PixelPoint& at, const std::string& title,
+              const std::vector<std::string>& lines);
   /// Begins a group with a common class, and a title that browsers show; `end_group` ends it.
   void begin_group(std::string_view kind, std::string_view title = {});
   void end_group();

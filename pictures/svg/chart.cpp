@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include "pictures/svg/convex_area.hpp"
 #include "pictures/svg/inline_picture.hpp"
 #include "pictures/svg/style.hpp"
 #include "pictures/xml_text.hpp"
@@ -23,6 +24,11 @@ constexpr double chart_margin = 36;
 constexpr double left_of_plot = 84;
 constexpr double plot_shape = 380 / chart_width;  ///< height, relative to the whole width
 constexpr double row = 20;
+/// Space beyond the last points on a side without an end, relative to their distance.
+constexpr double beyond = 0.25;
+
+/// Letters of a legend on a page, whose letters are larger on a phone.
+constexpr std::size_t longest_inline_line = 50;
 
 /// Minimum span of an axis; closer numbers are drawn as one.
 constexpr double min_span = 1e-9;
@@ -32,15 +38,25 @@ struct Axis {
   double minimum = std::numeric_limits<double>::infinity();
   double maximum = -std::numeric_limits<double>::infinity();
   double step = 1;
+  bool goes_down = false, goes_up = false;  // without an end
 
   void take(double value) {
+    if (!std::isfinite(value)) {
+      (value < 0 ? goes_down : goes_up) = true;
+      return;
+    }
     minimum = std::min(minimum, value);
     maximum = std::max(maximum, value);
   }
 
   /// @param about approximate number of steps @param smallest minimum step
   void settle(int about, double smallest) {
+    if (minimum > maximum) minimum = maximum = 0;
     const double size = std::max(std::abs(minimum), std::abs(maximum));
+    const bool wide = maximum - minimum > min_span * size;
+    const double more = wide ? beyond * (maximum - minimum) : std::max(1.0, size);
+    if (goes_down) minimum -= more;
+    if (goes_up) maximum += more;
     if (!(maximum - minimum > min_span * size))
       maximum = minimum + std::max(smallest, std::max(1.0, std::abs(minimum)));
     const double wanted = std::max((maximum - minimum) / about, smallest);
@@ -64,17 +80,24 @@ struct Axis {
   [[nodiscard]] double share(double value) const { return (value - minimum) / (maximum - minimum); }
 };
 
+const char* kind_of(Stroke stroke) {
+  return stroke == Stroke::dashed ? " dashed" : stroke == Stroke::bar ? " thick" : "";
+}
+
 class Plot {
  public:
   Plot(const Chart& chart, const PixelPoint& corner, const PixelPoint& size)
       : chart_(chart), corner_(corner), size_(size) {
-    for (const auto& series : chart.series) {
-      for (const auto& point : series.line) take(point.x(), point.y());
-      for (const auto& mark : series.marks) take(mark.x, mark.y);
+    if (chart.shown) {
+      take(chart.shown->min());
+      take(chart.shown->max());
+    } else {
+      for (const auto& series : chart.series) take_points(series);
     }
     if (chart.whole_numbers) y_.take(0);
     x_.settle(10, std::numeric_limits<double>::min());
     y_.settle(8, chart.whole_numbers ? 1 : std::numeric_limits<double>::min());
+    frame_ = {Eigen::Vector2d(x_.minimum, y_.minimum), Eigen::Vector2d(x_.maximum, y_.maximum)};
   }
 
   void draw(Canvas& canvas) const {
@@ -83,13 +106,28 @@ class Plot {
   }
 
  private:
-  void take(double x, double y) {
-    x_.take(x);
-    y_.take(y);
+  void take(const Eigen::Vector2d& point) {
+    x_.take(point.x());
+    y_.take(point.y());
   }
 
-  [[nodiscard]] PixelPoint place(double x, double y) const {
-    return corner_ + PixelPoint(size_.x() * x_.share(x), size_.y() * (1 - y_.share(y)));
+  void take_points(const ChartSeries& series) {
+    for (const auto& line : series.lines)
+      for (const auto& point : line) take(point);
+    for (const auto& mark : series.marks) take({mark.x, mark.y});
+    for (const auto& area : series.areas) {
+      for (const auto& point : area.vertices) take(point);
+      for (const auto& ray : area.rays) {
+        if (ray.x() != 0) x_.take(std::copysign(HUGE_VAL, ray.x()));
+        if (ray.y() != 0) y_.take(std::copysign(HUGE_VAL, ray.y()));
+      }
+    }
+  }
+
+  [[nodiscard]] PixelPoint place(const Eigen::Vector2d& point) const {
+    const Eigen::Vector2d inside = point.cwiseMax(frame_.min()).cwiseMin(frame_.max());
+    return corner_ +
+           PixelPoint(size_.x() * x_.share(inside.x()), size_.y() * (1 - y_.share(inside.y())));
   }
 
   void draw_axes(Canvas& canvas) const {
@@ -112,77 +150,139 @@ class Plot {
 
   void draw_series(Canvas& canvas, std::size_t number) const {
     const auto& series = chart_.series[number];
-    std::vector<PixelPoint> line;
-    for (const auto& point : series.line) line.push_back(place(point.x(), point.y()));
-    if (series.filled)
-      canvas.polygon(fmt::format("area s{}", number % 4), line);
-    else if (!line.empty())
-      canvas.polyline(fmt::format("curve s{}{}", number % 4, series.dashed ? " dashed" : ""), line);
+    for (const auto& area : series.areas) draw_area(canvas, number, area);
+    for (const auto& line : series.lines) draw_line(canvas, number, line);
     for (const auto& mark : series.marks) {
       canvas.begin_group("marked", mark.words);
-      canvas.circle(fmt::format("mark s{}", number % 4), place(mark.x, mark.y), 4);
+      canvas.circle(fmt::format("mark s{}", number % 4), place({mark.x, mark.y}), 4);
       canvas.end_group();
     }
   }
 
+  void draw_area(Canvas& canvas, std::size_t number, const ChartArea& area) const {
+    const auto corners = convex_area(area.vertices, area.rays, frame_);
+    std::vector<PixelPoint> points;
+    for (const auto& corner : corners) points.push_back(place(corner));
+    if (points.empty()) return;
+    canvas.polygon(fmt::format("area s{}", number % 4), points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto next = (i + 1) % points.size();
+      if (!is_cut(area, corners[i], corners[next]))
+        canvas.line(fmt::format("edge s{}", number % 4), points[i], points[next]);
+    }
+  }
+
+  // True for an edge on the frame if the area goes on behind it.
+  [[nodiscard]] bool is_cut(const ChartArea& area, const Eigen::Vector2d& from,
+                            const Eigen::Vector2d& to) const {
+    for (int axis = 0; axis < 2; ++axis) {
+      const double tolerance = min_span * frame_.sizes()[axis];
+      for (const double side : {-1.0, 1.0}) {
+        const double limit = side < 0 ? frame_.min()[axis] : frame_.max()[axis];
+        const auto beyond_by = [&](const auto& point) { return side * (point[axis] - limit); };
+        if (std::min(beyond_by(from), beyond_by(to)) < -tolerance) continue;
+        if (std::ranges::any_of(area.rays, [&](const auto& ray) { return side * ray[axis] > 0; }) ||
+            std::ranges::any_of(area.vertices,
+                                [&](const auto& vertex) { return beyond_by(vertex) > tolerance; }))
+          return true;
+      }
+    }
+    return false;
+  }
+
+  void draw_line(Canvas& canvas, std::size_t number,
+                 const std::vector<Eigen::Vector2d>& line) const {
+    if (line.empty()) return;
+    std::vector<PixelPoint> points;
+    for (const auto& point : line) points.push_back(place(point));
+    canvas.polyline(fmt::format("curve s{}{}", number % 4, kind_of(chart_.series[number].stroke)),
+                    points);
+    const auto end = [&](const Eigen::Vector2d& last, const PixelPoint& from,
+                         const PixelPoint& to) {
+      if (!last.allFinite()) canvas.arrow(fmt::format("arrow s{}", number % 4), from, to, head);
+    };
+    if (points.size() < 2) return;
+    end(line.front(), points[1], points[0]);
+    end(line.back(), points[points.size() - 2], points.back());
+  }
+
+  static constexpr double head = 12;
+
   const Chart& chart_;
   PixelPoint corner_, size_;
   Axis x_, y_;
+  Eigen::AlignedBox2d frame_;
 };
 
-/// One row per series. @return y of the lower edge
-double draw_chart_legend(Canvas& canvas, const Chart& chart, double y) {
-  for (std::size_t i = 0; i < chart.series.size(); ++i) {
-    const auto& series = chart.series[i];
-    const PixelPoint left(chart_margin, y);
-    if (series.filled)
-      canvas.rectangle(fmt::format("area s{}", i % 4), left - PixelPoint(0, 6), {30, 12});
-    else if (!series.line.empty())
-      canvas.polyline(fmt::format("curve s{}{}", i % 4, series.dashed ? " dashed" : ""),
-                      {left, left + PixelPoint(30, 0)});
-    if (!series.marks.empty())
-      canvas.circle(fmt::format("mark s{}", i % 4), left + PixelPoint(15, 0), 4);
-    canvas.words("word", left + PixelPoint(40, 4.5), "start", series.name);
-    y += row + 4;
-  }
-  return y;
-}
+/// Rows of a legend: a sample, and its text in lines of at most `longest` letters.
+class ChartLegend {
+ public:
+  ChartLegend(Canvas& canvas, double y, std::size_t longest)
+      : canvas_(canvas), y_(y), longest_(longest) {}
 
-/// Axes, curves and legend. @return y of the lower edge
-double draw_chart(Canvas& canvas, const Chart& chart, double top, double across) {
+  /// @return y of the lower edge
+  double draw(const Chart& chart) {
+    for (std::size_t i = 0; i < chart.series.size(); ++i) {
+      const auto& series = chart.series[i];
+      const bool lines = !series.lines.empty() || !series.marks.empty();
+      if (!series.areas.empty()) {
+        canvas_.rectangle(fmt::format("area s{}", i % 4), left() - PixelPoint(0, 6), {30, 12});
+        words(lines ? series.areas_name : series.name);
+      }
+      if (!series.lines.empty())
+        canvas_.polyline(fmt::format("curve s{}{}", i % 4, kind_of(series.stroke)),
+                         {left(), left() + PixelPoint(30, 0)});
+      if (!series.marks.empty())
+        canvas_.circle(fmt::format("mark s{}", i % 4), left() + PixelPoint(15, 0), 4);
+      if (lines || series.areas.empty()) words(series.name);
+    }
+    return y_;
+  }
+
+ private:
+  [[nodiscard]] PixelPoint left() const { return {chart_margin, y_}; }
+
+  void words(const std::string& text) {
+    for (const auto& line : lines_of(text, longest_)) {
+      canvas_.words("word", left() + PixelPoint(40, 4.5), "start", line);
+      y_ += row + 4;
+    }
+  }
+
+  Canvas& canvas_;
+  double y_;
+  std::size_t longest_;
+};
+
+/// Axes, curves and legend. @param longest line of the legend @return y of the lower edge
+double draw_chart(Canvas& canvas, const Chart& chart, double top, double across,
+                  std::size_t longest) {
   const PixelPoint size(across - left_of_plot - chart_margin, plot_shape * across);
   Plot(chart, {left_of_plot, top}, size).draw(canvas);
-  return draw_chart_legend(canvas, chart, top + size.y() + 3.8 * row);
+  return ChartLegend(canvas, top + size.y() + 3.8 * row, longest).draw(chart);
 }
 
 }  // namespace
 
 void write_chart(std::ostream& out, const Chart& chart) {
   Canvas canvas;
-  double y = chart_margin + 10;
-  canvas.words("title", {chart_margin, y}, "start", chart.title);
-  for (const auto& line : chart.lines) {
-    y += row;
-    canvas.words("line", {chart_margin, y}, "start", line);
-  }
-  y = draw_chart(canvas, chart, y + 2.4 * row, chart_width);
-  const bool areas = std::ranges::any_of(chart.series, &ChartSeries::filled);
-  fmt::print(
-      out,
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" "
-      "width=\"{0:g}\" height=\"{1:g}\" role=\"img\" aria-labelledby=\"title desc\">\n"
-      "<title id=\"title\">{2}</title>\n<desc id=\"desc\">{3}</desc>\n"
-      "<style>{4}{5}{6}</style>\n<rect class=\"paper\" width=\"{0:g}\" height=\"{1:g}\"/>\n{7}"
-      "</svg>\n",
-      chart_width, std::round(y + 6), xml_text(chart.title), xml_text(chart.description), style,
-      chart_style, areas ? area_style : std::string_view(), canvas.text());
+  double y = canvas.head({chart_margin, chart_margin + 10}, chart.title, chart.lines);
+  y = draw_chart(canvas, chart, y + 2.4 * row, chart_width, longest_line);
+  fmt::print(out,
+             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" "
+             "width=\"{0:g}\" height=\"{1:g}\" role=\"img\" aria-labelledby=\"title desc\">\n"
+             "<title id=\"title\">{2}</title>\n<desc id=\"desc\">{3}</desc>\n"
+             "<style>{4}{5}</style>\n<rect class=\"paper\" width=\"{0:g}\" height=\"{1:g}\"/>\n{6}"
+             "</svg>\n",
+             chart_width, std::round(y + 6), xml_text(chart.title), xml_text(chart.description),
+             style, chart_style, canvas.text());
 }
 
 std::string inline_chart(const std::string& id, const Chart& chart) {
   Canvas canvas;
   canvas.begin_group("chart");
-  const double y = draw_chart(canvas, chart, 1.6 * row, inline_width);
+  const double y = draw_chart(canvas, chart, 1.6 * row, inline_width, longest_inline_line);
   canvas.end_group();
   return svg_element({id, chart.title, chart.description, true}, {inline_width, std::round(y)},
                      canvas);

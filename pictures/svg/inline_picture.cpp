@@ -16,28 +16,6 @@
 #include "pictures/xml_text.hpp"
 
 namespace kusabi::pictures {
-namespace {
-
-// Entries whose texts are at most as long as a line of a legend on a phone. The rest of a longer
-// text is an entry without a sample.
-std::vector<LegendEntry> in_short_lines(const std::vector<LegendEntry>& entries) {
-  constexpr std::size_t longest = 38;  // bytes
-  const auto no_sample = [](Canvas& /*canvas*/, const PixelPoint& /*middle*/) {};
-  std::vector<LegendEntry> lines;
-  for (const auto& entry : entries) {
-    lines.push_back(entry);
-    for (auto* text = &lines.back().text; text->size() > longest; text = &lines.back().text) {
-      const auto space = text->rfind(' ', longest);
-      if (space == std::string::npos) break;
-      const auto rest = text->substr(space + 1);
-      text->resize(space);
-      lines.push_back({no_sample, rest});
-    }
-  }
-  return lines;
-}
-
-}  // namespace
 
 std::string svg_element(const InlinePicture& picture, const PixelPoint& size,
                         const Canvas& canvas) {
@@ -66,15 +44,14 @@ std::string inline_svg(const InlinePicture& picture, const Scene& scene) {
 
 std::string inline_legend(const InlinePicture& picture, const std::vector<LegendEntry>& entries) {
   constexpr double across = 328;  // of a phone 360 pixels wide, without margins
-  const auto lines = in_short_lines(entries);
   Canvas canvas;
-  draw_legend(canvas, lines, {4, 4}, across, 1);
-  return svg_element(picture, {across, legend_height(lines, 1) + 8}, canvas);
+  const double height = draw_legend(canvas, entries, {4, 4}, across, 1);
+  return svg_element(picture, {across, height + 8}, canvas);
 }
 
 std::string inline_style() {
   std::string scoped;
-  const auto whole = std::string(style).append(chart_style).append(area_style);
+  const auto whole = std::string(style).append(chart_style);
   std::string_view rest = whole;
   const auto take = [&rest](std::size_t length) {
     const auto taken = rest.substr(0, length);

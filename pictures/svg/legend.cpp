@@ -115,7 +115,7 @@ bool has(const Scene& scene, DrawnLoad::Kind kind) {
 }
 
 /// Meaning of the shades of cones.
-constexpr const char* shades_text = "used up to 50, 75, 95, 100 %";
+constexpr const char* shades_text = "used up to 50, 75, 95, 100\u00A0%";
 
 // "friction cone, μ = 0.65; …", or the range of mu over the candidates in contact.
 std::string friction_text(const Scene& scene) {
@@ -133,15 +133,26 @@ std::string friction_text(const Scene& scene) {
                      shades_text);
 }
 
-std::string largest(const char* what, double size, const std::string& unit) {
-  return fmt::format("{}, largest {:.4g} {}", what, size, unit);
+std::string largest(const std::string& what, double size, const std::string& unit) {
+  return fmt::format("{}, largest {:.4g}\u00A0{}", what, size, unit);
 }
 
-void add_supports(std::vector<LegendEntry>& entries, const Scene& scene) {
+// True if forces are drawn, but not those of the supports.
+bool lacks_support_reactions(const Scene& scene) {
+  const bool forces =
+      !scene.loads.empty() || std::ranges::any_of(scene.candidates, [](const auto& candidate) {
+        return !candidate.reaction.isZero(0);
+      });
+  return forces && scene.support_reactions.cols() == 0;
+}
+
+void add_supports(std::vector<LegendEntry>& entries, const Scene& scene, bool without_reactions) {
+  const std::string more = without_reactions ? " (reaction not drawn)" : "";
   if (!scene.supports.empty())
-    entries.push_back({scene.dimension == 2 ? support_sample : support_sample_in_space, "support"});
-  if (!scene.inclined.empty()) entries.push_back({inclined_sample, "inclined support"});
-  if (!scene.springs.empty()) entries.push_back({spring_sample, "spring"});
+    entries.push_back(
+        {scene.dimension == 2 ? support_sample : support_sample_in_space, "support" + more});
+  if (!scene.inclined.empty()) entries.push_back({inclined_sample, "inclined support" + more});
+  if (!scene.springs.empty()) entries.push_back({spring_sample, "spring" + more});
   if (!scene.ties.empty()) entries.push_back({line_of("support", "tie"), "tie: a dependent node"});
 }
 
@@ -160,9 +171,10 @@ void add_structure(std::vector<LegendEntry>& entries, const Scene& scene, const 
                      moves ? "the undeformed structure" : "the structure"});
   if (moves) {
     const auto text =
-        scene.collapse ? fmt::format("collapse mode: velocities × {:g}", scales.displacement)
-                       : fmt::format("displacements × {:g}, largest {:.4g} {}", scales.displacement,
-                                     scales.largest_displacement, units.length);
+        scene.collapse
+            ? fmt::format("collapse mode: velocities × {:g}", scales.displacement)
+            : fmt::format("displacements × {:g}, largest {:.4g}\u00A0{}", scales.displacement,
+                          scales.largest_displacement, units.length);
     entries.push_back({bodies ? area_of("moved") : line_of("moved", "bar"), text});
   }
   if (const auto count = count_of(scene, BarState::tension); count > 0)
@@ -174,7 +186,7 @@ void add_structure(std::vector<LegendEntry>& entries, const Scene& scene, const 
   }
   if (const auto count = count_of(scene, BarState::lost); count > 0)
     entries.push_back({line_of(kind, "bar lost"), fmt::format("lost ({})", count)});
-  add_supports(entries, scene);
+  add_supports(entries, scene, lacks_support_reactions(scene));
 }
 
 void add_contact(std::vector<LegendEntry>& entries, const Scene& scene, const Scales& scales,
@@ -193,9 +205,12 @@ void add_contact(std::vector<LegendEntry>& entries, const Scene& scene, const Sc
             solved ? "candidate of another block" : "contact candidate");
   if (count_of(scene, ContactState::contact) > 0)
     entries.push_back({cone_sample, friction_text(scene)});
-  if (scales.largest_reaction > 0)
-    entries.push_back(
-        {arrow_of("reaction"), largest("reaction", scales.largest_reaction, units.force)});
+  if (scales.largest_reaction > 0) {
+    const bool pairs = !std::ranges::all_of(scene.candidates, &DrawnCandidate::rigid);
+    entries.push_back({arrow_of("reaction"),
+                       largest(pairs ? "reaction, between bodies on the first of them" : "reaction",
+                               scales.largest_reaction, units.force)});
+  }
 }
 
 }  // namespace
@@ -209,15 +224,15 @@ std::vector<LegendEntry> legend(const Scene& scene, const UnitNames& units) {
     entries.push_back({arrow_of("holding"), largest("reaction of a support",
                                                     scales.largest_support_reaction, units.force)});
   }
-  const auto add_load = [&](DrawnLoad::Kind kind, const char* name, const char* text) {
+  const auto add_load = [&](DrawnLoad::Kind kind, const char* name, const std::string& text) {
     double size = 0;
     for (const auto& load : scene.loads) {
       if (load.kind == kind) size = std::max(size, load.force.norm());
     }
     if (has(scene, kind)) entries.push_back({arrow_of(name), largest(text, size, units.force)});
   };
-  add_load(DrawnLoad::Kind::dead, "dead", "dead load");
-  add_load(DrawnLoad::Kind::reference, "reference", "reference load");
+  add_load(DrawnLoad::Kind::dead, "dead", scene.load_names.dead);
+  add_load(DrawnLoad::Kind::reference, "reference", scene.load_names.reference);
   return entries;
 }
 
@@ -228,8 +243,8 @@ std::vector<LegendEntry> common_legend(const std::vector<Scene>& scenes) {
   entries.push_back(
       {bodies ? area_of("rest") : line_of("rest", "bar"), "the undeformed structure"});
   if (any([](const Scene& its) { return its.displacements.cols() > 0; })) {
-    entries.push_back({bodies ? area_of("moved") : line_of("moved", "bar"),
-                       "moved, each by a factor of its own"});
+    entries.push_back(
+        {bodies ? area_of("moved") : line_of("moved", "bar"), "deformed, each by its own factor"});
   }
   if (any([](const Scene& its) { return count_of(its, BarState::tension) > 0; }))
     entries.push_back({line_of("moved", "bar tension"), "yields in tension"});
@@ -237,7 +252,8 @@ std::vector<LegendEntry> common_legend(const std::vector<Scene>& scenes) {
     entries.push_back({line_of("moved", "bar compression"), "yields in compression"});
   if (any([](const Scene& its) { return count_of(its, BarState::lost) > 0; }))
     entries.push_back({line_of("rest", "bar lost"), "lost"});
-  add_supports(entries, scenes.front());  // all are of one structure
+  // All are of one structure.
+  add_supports(entries, scenes.front(), any(lacks_support_reactions));
   add_obstacle(entries, scenes.front());
   if (any([](const Scene& its) { return count_of(its, ContactState::contact) > 0; })) {
     entries.push_back({mark_of("contact"), "in contact"});
@@ -253,26 +269,39 @@ std::vector<LegendEntry> common_legend(const std::vector<Scene>& scenes) {
   if (any([](const Scene& its) { return has(its, DrawnLoad::Kind::dead); }))
     entries.push_back({arrow_of("dead"), "dead load"});
   if (any([](const Scene& its) { return has(its, DrawnLoad::Kind::reference); }))
-    entries.push_back({arrow_of("reference"), "reference load"});
+    entries.push_back({arrow_of("reference"), "reference load, times its factor"});
   return entries;
 }
 
-double legend_height(const std::vector<LegendEntry>& entries, int columns) {
-  const auto rows = (static_cast<int>(entries.size()) + columns - 1) / columns;
-  return rows * legend_row;
-}
-
-void draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries, const PixelPoint& corner,
-                 double width, int columns) {
-  const auto rows = (static_cast<int>(entries.size()) + columns - 1) / columns;
-  for (int i = 0; i < static_cast<int>(entries.size()); ++i) {
-    const int column = i / rows;
-    const PixelPoint place =
-        corner + PixelPoint(width / columns * column, legend_row * (i % rows + 0.5));
-    const auto& [sample, text] = entries[static_cast<std::size_t>(i)];
-    sample(canvas, place + PixelPoint(half_sample + 2, 0));
-    canvas.words("word", place + PixelPoint(2 * half_sample + 14, 4.5), "start", text);
+double draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries,
+                   const PixelPoint& corner, double width, int columns) {
+  constexpr double row = 24;
+  constexpr double next_line = 17;
+  constexpr double before = 2 * half_sample + 14;  // a text
+  constexpr double letter = 7.1;                   // its mean width, pixels
+  const auto longest = static_cast<std::size_t>((width / columns - before) / letter);
+  const auto height_of = [&](const LegendEntry& entry) {
+    return row + next_line * static_cast<double>(lines_of(entry.text, longest).size() - 1);
+  };
+  double height = 0;
+  for (const auto& entry : entries) height += height_of(entry);
+  int column = 0;
+  double down = 0, lowest = 0;
+  for (const auto& entry : entries) {
+    if (down * columns >= height) {
+      ++column;
+      down = 0;
+    }
+    PixelPoint place = corner + PixelPoint(width / columns * column, down + row / 2);
+    down += height_of(entry);
+    lowest = std::max(lowest, down);
+    entry.sample(canvas, place + PixelPoint(half_sample + 2, 0));
+    for (const auto& line : lines_of(entry.text, longest)) {
+      canvas.words("word", place + PixelPoint(before, 4.5), "start", line);
+      place.y() += next_line;
+    }
   }
+  return lowest;
 }
 
 }  // namespace kusabi::pictures

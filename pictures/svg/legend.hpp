@@ -22,13 +22,9 @@ std::vector<LegendEntry> legend(const Scene& scene, const UnitNames& units);
 /// Legend of several scenes on a sheet: all marks that occur, without numbers.
 std::vector<LegendEntry> common_legend(const std::vector<Scene>& scenes);
 
-inline constexpr double legend_row = 24;  ///< height, pixels
-
-/// Height of the legend in a given number of columns.
-double legend_height(const std::vector<LegendEntry>& entries, int columns);
-
-/// Draws the legend column by column. @param corner top left
-void draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries, const PixelPoint& corner,
-                 double width, int columns);
+/// Draws the legend column by column; longer texts take several rows. @param corner top left
+/// @return its height
+double draw_legend(Canvas& canvas, const std::vector<LegendEntry>& entries,
+                   const PixelPoint& corner, double width, int columns);
 
 }  // namespace kusabi::pictures

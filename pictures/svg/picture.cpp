@@ -20,7 +20,6 @@ namespace {
 
 constexpr double width = 960;
 constexpr double margin = 36;
-constexpr double line_height = 20;
 
 void write(std::ostream& out, const std::string& title, double height, const Canvas& canvas) {
   fmt::print(out,
@@ -32,22 +31,11 @@ void write(std::ostream& out, const std::string& title, double height, const Can
              width, height, xml_text(title), style, canvas.text());
 }
 
-// @return y of the lower edge
-double draw_head(Canvas& canvas, const std::string& title, const std::vector<std::string>& lines) {
-  double y = margin + 10;
-  canvas.words("title", {margin, y}, "start", title);
-  for (const auto& line : lines) {
-    y += line_height;
-    canvas.words("line", {margin, y}, "start", line);
-  }
-  return y;
-}
-
 // Draws a rule and the legend below it. @return height of the paper
 double draw_foot(Canvas& canvas, const std::vector<LegendEntry>& entries, double y, int columns) {
   canvas.line("rule", {margin, y}, {width - margin, y});
-  draw_legend(canvas, entries, {margin, y + 12}, width - 2 * margin, columns);
-  return std::round(y + 12 + legend_height(entries, columns) + 18);
+  const double height = draw_legend(canvas, entries, {margin, y + 12}, width - 2 * margin, columns);
+  return std::round(y + 12 + height + 18);
 }
 
 struct SheetLayout {
@@ -91,7 +79,7 @@ void write_svg(std::ostream& out, const Picture& picture, const Scene& scene) {
   const auto title = picture.title + " · " + scene.name;
   auto lines = picture.lines;
   lines.insert(lines.end(), scene.lines.begin(), scene.lines.end());
-  const double top = draw_head(canvas, title, lines) + above;
+  const double top = canvas.head({margin, margin + 10}, title, lines) + above;
   const double across = width - 2 * side;
   const double shape = View::shape(scene.dimension, extent(scene, scales_of(scene)));
   const double height = std::clamp(across * shape, 160.0, 600.0);
@@ -109,7 +97,7 @@ void write_sheet(std::ostream& out, const Picture& picture, const std::vector<Sc
         std::max(shape, View::shape(scenes[i].dimension, extent(scenes[i], scales_of(scenes[i]))));
   const SheetLayout layout(count, shape);
   Canvas canvas;
-  const double top = draw_head(canvas, picture.title, picture.lines) + line_height;
+  const double top = canvas.head({margin, margin + 10}, picture.title, picture.lines) + 20;
   for (std::size_t i = 0; i < count; ++i) {
     const auto row = static_cast<int>(i) / layout.columns;
     const auto column = static_cast<int>(i) % layout.columns;

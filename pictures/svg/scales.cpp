@@ -1,5 +1,6 @@
 // Scales: the largest displacement is drawn with at most 0.09 of the structure's size (the scale is
-// 1, 2 or 5 times a power of ten), the longest arrow with 0.16 of it.
+// 1, 2 or 5 times a power of ten), the longest arrow with 0.16 of it. All forces have
+// one scale, so that they are seen to be in equilibrium.
 #include "pictures/svg/scales.hpp"
 
 #include <algorithm>
@@ -29,20 +30,7 @@ double largest_column(const Eigen::Matrix3Xd& vectors) {
   return vectors.cols() == 0 ? 0 : vectors.colwise().norm().maxCoeff();
 }
 
-// Scale such that the largest load of a kind has the longest arrow; 0 if there is no load.
-double load_scale(const Scene& scene, DrawnLoad::Kind kind, double size) {
-  double largest = 0;
-  for (const auto& load : scene.loads) {
-    if (load.kind == kind) largest = std::max(largest, load.force.norm());
-  }
-  return largest > 0 ? longest_arrow * size / largest : 0;
-}
-
 }  // namespace
-
-double scale_of(const DrawnLoad& load, const Scales& scales) {
-  return load.kind == DrawnLoad::Kind::dead ? scales.dead_load : scales.reference_load;
-}
 
 Scales scales_of(const Scene& scene) {
   Scales scales;
@@ -55,12 +43,9 @@ Scales scales_of(const Scene& scene) {
   for (const auto& candidate : scene.candidates)
     scales.largest_reaction = std::max(scales.largest_reaction, candidate.reaction.norm());
   scales.largest_support_reaction = largest_column(scene.support_reactions);
-  const double force = std::max(scales.largest_reaction, scales.largest_support_reaction);
+  double force = std::max(scales.largest_reaction, scales.largest_support_reaction);
+  for (const auto& load : scene.loads) force = std::max(force, load.force.norm());
   if (force > 0) scales.force = longest_arrow * scales.size / force;
-  // One scale per kind: a reference load is multiplied by a factor, so its magnitude is not
-  // comparable with that of a dead load.
-  scales.dead_load = load_scale(scene, DrawnLoad::Kind::dead, scales.size);
-  scales.reference_load = load_scale(scene, DrawnLoad::Kind::reference, scales.size);
   const auto cones = static_cast<double>(
       std::ranges::count(scene.candidates, ContactState::contact, &DrawnCandidate::state));
   scales.cone = cone_side * scales.size * std::sqrt(many_cones / std::max(many_cones, cones));
@@ -127,7 +112,7 @@ std::vector<Eigen::Vector3d> extent(const Scene& scene, const Scales& scales) {
   }
   for (const auto& load : scene.loads) {
     const double way = load.kind == DrawnLoad::Kind::dead ? -1 : 1;
-    points.emplace_back(scene.positions.col(load.node) + way * scale_of(load, scales) * load.force);
+    points.emplace_back(scene.positions.col(load.node) + way * scales.force * load.force);
   }
   return points;
 }

@@ -13,19 +13,14 @@ struct Scales {
   double size = 1;  ///< of the structure, length
   /// drawn length per displacement: 1, 2 or 5 times a power of ten; 0: no displacements
   double displacement = 0;
-  double force = 0;      ///< length per force, for all arrows except those of loads
-  double dead_load = 0;  ///< length per force of dead loads
-  double reference_load = 0;
-  double cone = 0;  ///< length of a friction cone's sides
+  double force = 0;  ///< length per force, of all arrows
+  double cone = 0;   ///< length of a friction cone's sides
   double largest_displacement = 0;
   double largest_reaction = 0;
   double largest_support_reaction = 0;
 };
 
 Scales scales_of(const Scene& scene);
-
-/// Length per force for loads of this kind.
-double scale_of(const DrawnLoad& load, const Scales& scales);
 
 /// 1 if the forces of an obstacle are drawn on the side of the body, -1 on the side of the
 /// obstacle: bodies in space hide their inside.

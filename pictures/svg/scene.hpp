@@ -56,7 +56,13 @@ struct DrawnLoad {
   enum class Kind { dead, reference };
   Kind kind;
   int node;
-  Eigen::Vector3d force;
+  Eigen::Vector3d force;  ///< as it acts: a reference load times its factor
+};
+
+/// Names of the loads of a scene, in the legend.
+struct LoadNames {
+  std::string dead = "dead load";
+  std::string reference = "reference load";
 };
 
 struct Scene {
@@ -71,6 +77,7 @@ struct Scene {
   std::vector<DrawnTie> ties;
   std::vector<DrawnCandidate> candidates;
   std::vector<DrawnLoad> loads;
+  LoadNames load_names{};
   Eigen::Matrix3Xd displacements;      ///< of all nodes; no columns: not known
   Eigen::Matrix3Xd support_reactions;  ///< as displacements
   bool collapse = false;               ///< true if `displacements` are velocities of a collapse

@@ -203,7 +203,7 @@ class SceneDrawing {
   void loads() {
     for (const auto& load : scene_.loads) {
       const Eigen::Vector3d place = scene_.positions.col(load.node);
-      const Eigen::Vector3d way = scale_of(load, scales_) * load.force;
+      const Eigen::Vector3d way = scales_.force * load.force;
       if (load.kind == DrawnLoad::Kind::dead) {
         canvas_.arrow("dead", view_(place - way), view_(place), detail_.head);
       } else {

@@ -103,32 +103,19 @@ text { fill: #e6edf3; }
 inline constexpr std::string_view chart_style = R"(
 .grid { stroke: #d8dee4; stroke-width: 1; }
 .frame { stroke: #6e7781; stroke-width: 1.3; }
-.curve { fill: none; stroke-width: 2.4; }
+.s0 { color: #0969da; } .s1 { color: #bc4c00; } .s2 { color: #1a7f64; } .s3 { color: #8250df; }
+.curve { fill: none; stroke: currentColor; stroke-width: 2.4; }
 .dashed { stroke-dasharray: 7 5; }
-.curve.s0 { stroke: #0969da; } .mark.s0 { fill: #0969da; }
-.curve.s1 { stroke: #bc4c00; } .mark.s1 { fill: #bc4c00; }
-.curve.s2 { stroke: #1a7f64; } .mark.s2 { fill: #1a7f64; }
-.curve.s3 { stroke: #8250df; } .mark.s3 { fill: #8250df; }
-.mark { stroke: #ffffff; stroke-width: 1.2; }
+.thick { stroke-width: 5; stroke-linecap: butt; }
+.arrow { fill: currentColor; stroke: currentColor; }
+.area { fill: currentColor; fill-opacity: .22; }
+.edge { stroke: currentColor; stroke-width: 1.6; }
+.mark { fill: currentColor; stroke: #ffffff; stroke-width: 1.2; }
 @media (prefers-color-scheme: dark) {
 .grid { stroke: #30363d; }
 .frame { stroke: #9ea7b3; }
-.curve.s0 { stroke: #58a6ff; } .mark.s0 { fill: #58a6ff; }
-.curve.s1 { stroke: #ffa657; } .mark.s1 { fill: #ffa657; }
-.curve.s2 { stroke: #4ac2a0; } .mark.s2 { fill: #4ac2a0; }
-.curve.s3 { stroke: #bc8cff; } .mark.s3 { fill: #bc8cff; }
+.s0 { color: #58a6ff; } .s1 { color: #ffa657; } .s2 { color: #4ac2a0; } .s3 { color: #bc8cff; }
 .mark { stroke: #0d1117; }
-}
-)";
-
-/// Additional styles of charts with areas.
-inline constexpr std::string_view area_style = R"(
-.area { fill-opacity: .25; stroke-width: 1.6; }
-.area.s0 { fill: #0969da; stroke: #0969da; } .area.s1 { fill: #bc4c00; stroke: #bc4c00; }
-.area.s2 { fill: #1a7f64; stroke: #1a7f64; } .area.s3 { fill: #8250df; stroke: #8250df; }
-@media (prefers-color-scheme: dark) {
-.area.s0 { fill: #58a6ff; stroke: #58a6ff; } .area.s1 { fill: #ffa657; stroke: #ffa657; }
-.area.s2 { fill: #4ac2a0; stroke: #4ac2a0; } .area.s3 { fill: #bc8cff; stroke: #bc8cff; }
 }
 )";
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include "problems/structure/assembly/contact_frame.hpp"
@@ -214,6 +215,27 @@ double mean_normal_compliance(const WedgedProblem& problem) {
     sum += problem.compliance.matrix(normal, normal);
   }
   return sum / static_cast<double>(m);
+}
+
+double margin_unit(const WedgedProblem& problem) {
+  constexpr double min_strain_share = 1e-10;  // of F_nn; rounding leaves less
+  const double mean = mean_normal_compliance(problem);
+  if (problem.modes.matrix.cols() == 0) return mean;
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(problem.modes.matrix);
+  const Eigen::MatrixXd modes =
+      factors.householderQ() *
+      Eigen::MatrixXd::Identity(problem.modes.matrix.rows(), factors.rank());
+  Eigen::MatrixXd projected = problem.compliance.matrix;
+  projected -= modes * (modes.transpose() * projected);
+  const Eigen::MatrixXd removed = projected * modes;
+  double sum = 0;
+  Eigen::Index count = 0;
+  for (Eigen::Index normal = 0; normal < projected.rows(); normal += problem.dimension) {
+    sum += projected(normal, normal) - removed.row(normal).dot(modes.row(normal));
+    ++count;
+  }
+  const double own = sum / static_cast<double>(count);
+  return own > min_strain_share * mean ? own : mean;
 }
 
 std::uint64_t wedged_fingerprint(const Structure& structure) {

@@ -99,6 +99,12 @@ bool uniform_friction(const WedgedProblem& problem);
 /// error"). Length/force.
 double mean_normal_compliance(const WedgedProblem& problem);
 
+/// Unit of displacements per reaction in margins, length/force: the same mean of P F P, where P
+/// projects orthogonally to the rigid-body modes. Reactions in equilibrium are in the range of P,
+/// so it does not depend on the grounding springs in F, nor on axes and order of the file. It is
+/// the mean of F_nn if the modes leave nothing of it; then no normal reactions are in equilibrium.
+double margin_unit(const WedgedProblem& problem);
+
 /// The fingerprint of the wedged problem of a structure, without computing K and F.
 std::uint64_t wedged_fingerprint(const Structure& structure);
 

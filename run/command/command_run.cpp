@@ -264,6 +264,40 @@ engine::AnalysisOptions CommandRun::analysis_options(const engine::Limits& limit
   return result;
 }
 
+namespace {
+
+// Adds the members of an object, and the elements of equally long lists of objects to each other.
+void complete(nlohmann::ordered_json& known, nlohmann::ordered_json more) {
+  if (known.is_array() && more.is_array() && known.size() == more.size()) {
+    for (std::size_t i = 0; i < known.size(); ++i) complete(known[i], std::move(more[i]));
+  } else if (known.is_object() && more.is_object()) {
+    for (auto& [key, value] : more.items()) complete(known[key], std::move(value));
+  } else {
+    known = std::move(more);
+  }
+}
+
+}  // namespace
+
+nlohmann::ordered_json CommandRun::head(nlohmann::ordered_json problem) const {
+  const auto reached = verdict();
+  return {{"command", name_},
+          {"version", KUSABI_VERSION},
+          {"problem", std::move(problem)},
+          {"options", table_.asked()},
+          {"status", answer::status_text(reached)},
+          {"result", answer::answer_json(reached)}};
+}
+
+nlohmann::ordered_json CommandRun::result_json(nlohmann::ordered_json problem,
+                                               nlohmann::ordered_json result,
+                                               nlohmann::ordered_json statistics) const {
+  auto json = head(std::move(problem));
+  complete(json["result"], std::move(result));
+  json["statistics"] = std::move(statistics);
+  return json;
+}
+
 Step CommandRun::result(std::function<nlohmann::ordered_json()> make) {
   return result([make = std::move(make)](JsonWriter& json) { json.value(make()); });
 }

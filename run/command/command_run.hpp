@@ -99,6 +99,15 @@ class CommandRun {
   /// @pre wants(option)
   [[nodiscard]] std::ostream& stream(const std::string& option) { return outputs_.stream(option); }
 
+  /// First members of a result file: command, version, problem, options, status and, in `result`,
+  /// the counts and bounds of the answer.
+  [[nodiscard]] nlohmann::ordered_json head(nlohmann::ordered_json problem) const;
+  /// A result file up to its verdict.
+  /// @param result what else was found; its lists of objects complete those of the answer
+  [[nodiscard]] nlohmann::ordered_json result_json(nlohmann::ordered_json problem,
+                                                   nlohmann::ordered_json result,
+                                                   nlohmann::ordered_json statistics) const;
+
   /// Writes the file of --output, if requested.
   Step result(std::function<nlohmann::ordered_json()> make);
   Step result(std::function<void(JsonWriter&)> write);

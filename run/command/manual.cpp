@@ -21,7 +21,7 @@ constexpr std::string_view status_and_environment = R"(.SH EXIT STATUS
 The analysis is complete; "none" is an answer.
 .TP
 1
-The run failed, or a proof was refused.
+The run failed, or a certificate was refused.
 .TP
 2
 The call or the input is invalid.

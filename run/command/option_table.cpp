@@ -9,13 +9,17 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include "run/command/output_set.hpp"
+#include "run/output/number_in.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/session/time_limit.hpp"
 
 namespace kusabi::run {
 namespace {
+
+using nlohmann::ordered_json;
 
 template <class Number>
 constexpr bool whole = std::is_integral_v<Number>;
@@ -72,6 +76,101 @@ std::string default_of(const Range& range, const Number& variable) {
   return fmt::format("{}", variable);
 }
 
+template <class Number>
+ordered_json typed_number(const std::string& text) {
+  Number number{};
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+// START:END:STEP, or a list with commas, such as 0.1:1.0:0.05, from 0.1 to 1 in steps of 0.05.
+class PointsReader {
+ public:
+  PointsReader(const std::string& text, const Range& range) : text_(text), range_(range) {}
+
+  // Increasing. @throws WrongInput
+  [[nodiscard]] std::vector<double> points() const {
+    auto points = text_.find(':') == std::string::npos ? numbers(',') : in_steps();
+    if (points.size() > max_points) wrong(too_many);
+    if (std::ranges::adjacent_find(points, std::greater_equal()) != points.end())
+      wrong("numbers that increase");
+    if (!is_in(range_, points.front()))
+      wrong(range_.min_is_excluded ? "numbers above 0" : "numbers that are not negative");
+    return points;
+  }
+
+ private:
+  static constexpr std::size_t max_points = 10000;
+  static constexpr const char* too_many = "no more than 10000 points";
+
+  [[nodiscard]] std::vector<double> numbers(char between) const {
+    std::vector<double> list;
+    for (std::size_t from = 0; from <= text_.size();) {
+      const auto to = std::min(text_.find(between, from), text_.size());
+      const auto value = number_in(text_.substr(from, to - from));
+      if (!value) wrong("START:END:STEP, such as 0.1:1.0:0.05, or numbers separated by commas");
+      list.push_back(*value);
+      from = to + 1;
+    }
+    return list;
+  }
+
+  [[nodiscard]] std::vector<double> in_steps() const {
+    const auto three = numbers(':');
+    if (three.size() != 3 || !(three[2] > 0) || !(three[0] <= three[1]))
+      wrong("START:END:STEP with START not above END and STEP above 0");
+    if ((three[1] - three[0]) / three[2] >= static_cast<double>(max_points)) wrong(too_many);
+    std::vector<double> points;
+    for (int step = 0;; ++step) {
+      // The decimals of START and STEP, without the rounding errors of the sum.
+      const double point =
+          step == 0 ? three[0] : *number_in(fmt::format("{:.12g}", three[0] + step * three[2]));
+      if (point > three[1]) return points;
+      points.push_back(point);
+    }
+  }
+
+  [[noreturn]] void wrong(const char* expected) const {
+    throw WrongInput(fmt::format("'{}', expected {}", text_, expected));
+  }
+
+  const std::string& text_;
+  const Range& range_;
+};
+
+// A name ends at the first equals sign that is followed by a number and the end of its entry.
+std::vector<std::pair<std::string, double>> half_widths_in(const std::string& text) {
+  std::vector<std::pair<std::string, double>> groups;
+  for (std::size_t from = 0; from < text.size();) {
+    from = std::min(text.find_first_not_of(' ', from), text.size() - 1);
+    auto equals = text.find('=', from + 1);
+    for (;; equals = text.find('=', equals + 1)) {
+      if (equals == std::string::npos) {
+        throw WrongInput(fmt::format(
+            "'{}', expected NAME=NUMBER,NAME=NUMBER,... with numbers that are not negative", text));
+      }
+      const auto end = std::min(text.find(',', equals), text.size());
+      const auto value = number_in(text.substr(equals + 1, end - equals - 1));
+      if (!value || *value < 0) continue;
+      groups.emplace_back(text.substr(from, equals - from), *value);
+      from = end + 1;
+      break;
+    }
+  }
+  return groups;
+}
+
+// Message of a reader that throws; empty: none.
+template <class Read>
+std::string message_of(Read read) {
+  try {
+    read();
+  } catch (const WrongInput& error) {
+    return error.what();
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string quoted(const std::string& word) {
@@ -113,9 +212,11 @@ RowBuilder OptionTable::number(std::string name, NumberOption variable, Range ra
                     .expected = expected<Number>(range),
                     .default_value = default_of(range, *its),
                     .help = std::move(help),
-                    .store = [its, range](const std::string& text) {
-                      return take_number<Number>(text, range, *its);
-                    }});
+                    .store =
+                        [its, range](const std::string& text) {
+                          return take_number<Number>(text, range, *its);
+                        },
+                    .typed = typed_number<Number>});
       },
       variable);
 }
@@ -136,6 +237,22 @@ RowBuilder OptionTable::duration(std::string name, double& seconds, Range range,
                 seconds = *given;
                 return {};
               }});
+}
+
+RowBuilder OptionTable::points(std::string name, std::vector<double>& points, Range range,
+                               std::string help) {
+  return add({.name = std::move(name),
+              .value = "POINTS",
+              .expected = "POINTS",
+              .help = std::move(help),
+              .store =
+                  [&points, range](const std::string& text) {
+                    return message_of([&] { points = PointsReader(text, range).points(); });
+                  },
+              .typed =
+                  [range](const std::string& text) {
+                    return ordered_json(PointsReader(text, range).points());
+                  }});
 }
 
 RowBuilder OptionTable::word(std::string name, std::vector<std::string> words,
@@ -232,9 +349,22 @@ RowBuilder OptionTable::big_m(std::optional<double>& bound) {
                 "paper. Default: a safe value for each component, derived from the problem");
 }
 
-RowBuilder OptionTable::group_alpha(std::string& half_widths) {
-  return text("--group-alpha", half_widths, "NAME=NUMBER,...",
-              "half-widths of uncertain loads or groups by name")
+RowBuilder OptionTable::group_alpha(std::vector<std::pair<std::string, double>>& half_widths) {
+  return add({.name = "--group-alpha",
+              .value = "NAME=NUMBER,...",
+              .expected = "NAME=NUMBER,...",
+              .help = "half-widths of uncertain loads or groups by name",
+              .store =
+                  [&half_widths](const std::string& text) {
+                    return message_of([&] { half_widths = half_widths_in(text); });
+                  },
+              .typed =
+                  [](const std::string& text) {
+                    auto all = ordered_json::object();
+                    for (const auto& [group, half_width] : half_widths_in(text))
+                      all[group] = half_width;
+                    return all;
+                  }})
       .unit("in the file's unit of force");
 }
 
@@ -367,8 +497,8 @@ std::string OptionTable::replace_former_names() {
 }
 
 void OptionTable::config(ConfigChoice& choice) {
-  file("--config", choice.file, Role::input, "TOML file with defaults of options");
-  flag("--no-config", choice.none, "ignore all files with defaults");
+  file("--config", choice.file, Role::input, "TOML file with defaults of options").varies();
+  flag("--no-config", choice.none, "ignore all files with defaults").varies();
 }
 
 const OptionRow* OptionTable::find(std::string_view name) const {
@@ -395,6 +525,24 @@ std::vector<std::pair<std::string, std::string>> OptionTable::facts() const {
   return facts;
 }
 
+ordered_json OptionTable::asked() const {
+  auto all = ordered_json::object();
+  for (const auto& row : rows_) {
+    if (!row.is_asked()) continue;
+    auto key = row.name.substr(2);
+    std::ranges::replace(key, '-', '_');
+    const bool applies = row.needs.empty() || row.is_met_by(find(row.needs)->given);
+    const auto text = row.given.value_or(applies ? row.default_value : std::string());
+    if (row.value.empty())
+      all[key] = row.given.has_value();
+    else if (text.empty())
+      all[key] = nullptr;
+    else
+      all[key] = row.typed ? row.typed(text) : ordered_json(text);
+  }
+  return all;
+}
+
 std::string OptionTable::call(const std::function<bool(const OptionRow&)>& leave_out) const {
   std::string text;
   for (const auto& row : rows_) {
@@ -406,7 +554,9 @@ std::string OptionTable::call(const std::function<bool(const OptionRow&)>& leave
 }
 
 RowBuilder OptionTable::lines(bool& variable, const std::string& help) {
-  return choice("--format", variable, {{"json", false}, {"jsonl", true}}, help).needs("--output");
+  return choice("--format", variable, {{"json", false}, {"jsonl", true}}, help)
+      .needs("--output")
+      .of_file();
 }
 
 void OptionTable::check_lines(std::initializer_list<std::string_view> excluded) const {

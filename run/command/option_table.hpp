@@ -17,6 +17,8 @@
 #include <variant>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "engine/options.hpp"
 #include "engine/statistics.hpp"
 #include "run/command/config_choice.hpp"
@@ -76,9 +78,12 @@ struct OptionRow {
   /// True if runs that resume each other must agree on it, because results depend on it. By default
   /// true for plain options and for evidence.
   std::optional<bool> matters{};
+  bool of_answer = true;  ///< false: only the form of the result file depends on it
   /// Stores the value of the call. @return an error message; empty: none
   std::function<std::string(const std::string& text)> store{};
   std::optional<std::string> given{};  ///< value in the call
+  /// The value of a text as in result files; empty: the text itself.
+  std::function<nlohmann::ordered_json(const std::string& text)> typed{};
 
   [[nodiscard]] bool named() const { return name.starts_with('-'); }
   /// True if this option may be used beside a value of the one that it requires; nothing: absent.
@@ -88,6 +93,11 @@ struct OptionRow {
   /// The required option with its value: "--method polyhedral".
   [[nodiscard]] std::string requirement() const {
     return needs_value.empty() ? needs : needs + ' ' + needs_value;
+  }
+  /// True if the answer may depend on its value, which result files then contain.
+  [[nodiscard]] bool is_asked() const {
+    return named() && shown() && (role == Role::plain || role == Role::input) && of_answer &&
+           matters.value_or(true);
   }
   /// True if help, manual pages and completion show it.
   [[nodiscard]] bool shown() const { return replaced_by.empty(); }
@@ -112,6 +122,8 @@ class RowBuilder {
   RowBuilder& varies() { return row_.matters = false, *this; }
   /// Runs that resume each other must agree on it, though it is a file.
   RowBuilder& matters() { return row_.matters = true, *this; }
+  /// Only the form of the result file depends on it.
+  RowBuilder& of_file() { return row_.of_answer = false, *this; }
   /// A range given as its value is answered with a hint at `kusabi sweep`.
   RowBuilder& swept();
   /// File names are the value in the call followed by one of these.
@@ -149,6 +161,10 @@ class OptionTable {
   /// A duration: seconds, 90s or 1h30m. @param seconds its default, then its value
   RowBuilder duration(std::string name, double& seconds, Range range, std::string help);
 
+  /// Numbers that increase: START:END:STEP, or a list with commas. Points of a range are decimals:
+  /// 0.1 + 4 x 0.05 is 0.3. @param range of each number
+  RowBuilder points(std::string name, std::vector<double>& points, Range range, std::string help);
+
   /// A choice among words, each of which stands for a value.
   template <std::copyable T>
   RowBuilder choice(const std::string& name, T& variable, const OptionWords<T>& words,
@@ -185,7 +201,8 @@ class OptionTable {
   RowBuilder friction(double& coefficient);
   /// @param otherwise meaning of a call without it, if it is permitted
   RowBuilder load_case(std::string& name, const std::string& otherwise = "");
-  RowBuilder group_alpha(std::string& half_widths);
+  /// --group-alpha: names, which may contain commas and equals signs, with their half-widths.
+  RowBuilder group_alpha(std::vector<std::pair<std::string, double>>& half_widths);
   /// --vtu. @param each what a picture is of @param opened_by file that opens all
   void pictures(std::string& folder, const std::string& each, const std::string& opened_by);
   /// --prove. @param how meaning of the option
@@ -236,6 +253,10 @@ class OptionTable {
 
   /// Options that results depend on, with their values or defaults.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> facts() const;
+
+  /// The member `options` of a result file: what the answer may depend on, with values or defaults;
+  /// null without either, and for an option that requires an absent one.
+  [[nodiscard]] nlohmann::ordered_json asked() const;
 
   /// Limits that end with the batch job; null if there are none.
   [[nodiscard]] engine::Limits* ends_with_the_job() const { return ends_with_the_job_; }

@@ -47,9 +47,16 @@ class Critical final : public Subcommand {
 };
 
 void Critical::describe(OptionTable& table) {
+  using Strategy = wedged::CriticalStrategy;
   table.problem(options_.input.file);
   table.choice(
-      "--method", options_.parameters.strategy, strategy_words(),
+      "--method", options_.parameters.strategy,
+      {{"auto", Strategy::automatic},
+       {"descent", Strategy::descent},
+       {"global", Strategy::global},
+       {"newton", Strategy::newton},
+       {"bisection", Strategy::bisection}},
+
       "for the smallest coefficient: search from --mu-max downwards (descent), one search over all "
       "coefficients from zero (global), or both in turn (auto). For the coefficients of all "
       "patterns "
@@ -137,8 +144,8 @@ void Critical::search(CommandRun& run) {
   findings_.lower_recorded = written.lower;
   findings_.upper_recorded = written.upper;
   if (!run.session().is_first()) return;
-  const double answer = findings_.upper.value_or(findings_.lower);
-  warn_of_facets(run, options_.input, contact_.facets, answer);
+  const auto& [lower, upper] = findings_.bracket;
+  warn_of_facets(run, options_.input, contact_.facets, (upper ? upper : lower)->value);
 }
 
 void Critical::draw(OutputFolder& folder, const WholeStates& states) const {
@@ -162,8 +169,11 @@ void Critical::draw(OutputFolder& folder, const WholeStates& states) const {
 std::vector<Step> Critical::results(CommandRun& run) {
   const auto states = std::make_shared<const WholeStates>(contact_.structure, contact_.problem);
   return {
-      run.result([this, states] {
-        return critical_json(options_, contact_.problem, findings_, WholeStateJson(*states));
+      run.result([this, states, &run] {
+        return run.result_json(
+            problem_json(contact_.structure, contact_.problem, options_.input.file),
+            critical_json(options_, contact_.problem, findings_, WholeStateJson(*states)),
+            critical_statistics(findings_));
       }),
       run.file("--csv",
                [this](std::ostream& out) { write_critical_csv(out, contact_.problem, findings_); }),

@@ -13,9 +13,6 @@
 
 namespace kusabi::run {
 
-/// Words of --method.
-const OptionWords<wedged::CriticalStrategy>& strategy_words();
-
 struct CriticalOptions {
   ProblemInput input;
   wedged::CriticalParameters parameters;

@@ -5,14 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "answer/ending.hpp"
 #include "answer/values.hpp"
 #include "answer/words.hpp"
 #include "run/critical/critical_verdict.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/wedged/configuration_csv.hpp"
-#include "run/wedged/cuts_words.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "support/rounded_bounds.hpp"
 
@@ -110,7 +108,9 @@ std::string costs_text(const wedged::CriticalFindings& findings) {
   return text;
 }
 
-ordered_json statistics_json(const wedged::CriticalFindings& findings) {
+}  // namespace
+
+ordered_json critical_statistics(const wedged::CriticalFindings& findings) {
   const auto counts = [](const auto& tally) { return counts_json(tally); };
   ordered_json statistics;
   if (!findings.global_ranks.empty()) {
@@ -129,27 +129,7 @@ ordered_json statistics_json(const wedged::CriticalFindings& findings) {
   return statistics;
 }
 
-std::vector<std::string> open_sentences(const CriticalOptions& options,
-                                        const problems::WedgedProblem& problem,
-                                        const wedged::CriticalFindings& findings) {
-  std::vector<std::string> sentences;
-  for (const auto& each : answer::reservations(critical_verdict(options, problem, findings))) {
-    if (each.open) sentences.push_back(each.sentence);
-  }
-  return sentences;
-}
-
-}  // namespace
-
-const OptionWords<wedged::CriticalStrategy>& strategy_words() {
-  using wedged::CriticalStrategy;
-  static const OptionWords<CriticalStrategy> words{{"auto", CriticalStrategy::automatic},
-                                                   {"descent", CriticalStrategy::descent},
-                                                   {"global", CriticalStrategy::global},
-                                                   {"newton", CriticalStrategy::newton},
-                                                   {"bisection", CriticalStrategy::bisection}};
-  return words;
-}
+namespace {}  // namespace
 
 std::string critical_table(const CriticalOptions& options, const problems::WedgedProblem& problem,
                            const wedged::CriticalFindings& findings, const Page& page) {
@@ -187,26 +167,7 @@ ordered_json critical_json(const CriticalOptions& options, const problems::Wedge
     const bool all = options.whole || i < whole_unless_requested;
     patterns.push_back(entry_json(problem, findings.patterns[i], all ? &whole : nullptr));
   }
-  ordered_json chosen = {{"method", word_of(strategy_words(), options.parameters.strategy)},
-                         {"cuts", word_of(cuts_words(), options.parameters.tightening)},
-                         {"width", wedged::grid_of(problem, options.parameters).width}};
-  chosen["mu_max"] = answer::number_or_null(options.parameters.maximum);
-  chosen["list"] = options.parameters.list;
-  return {{"command", "critical"},
-          {"version", KUSABI_VERSION},
-          {"problem", problem_json(whole.structure(), problem, options.input.file)},
-          {"options", std::move(chosen)},
-          {"status", answer::status_text(critical_verdict(options, problem, findings))},
-          {"result",
-           {{"critical_friction",
-             {{"lower", findings.bracket.at_least()},
-              {"upper", answer::number_or_null(findings.bracket.at_most())},
-              {"lower_proved", is_proved(findings.bracket.lower)},
-              {"upper_proved", is_proved(findings.bracket.upper)}}},
-            {"pattern", patterns.empty() ? ordered_json() : patterns.front()},
-            {"open", open_sentences(options, problem, findings)},
-            {"patterns", std::move(patterns)}}},
-          {"statistics", statistics_json(findings)}};
+  return {{"patterns", std::move(patterns)}};
 }
 
 void write_critical_csv(std::ostream& out, const problems::WedgedProblem& problem,

@@ -18,11 +18,14 @@ namespace kusabi::run {
 std::string critical_table(const CriticalOptions& options, const problems::WedgedProblem& problem,
                            const wedged::CriticalFindings& findings, const Page& page);
 
-/// The result file; its schema is in docs/result-files.md. @param whole of the same structure
+/// The member `result` of a result file. @param whole of the same structure
 nlohmann::ordered_json critical_json(const CriticalOptions& options,
                                      const problems::WedgedProblem& problem,
                                      const wedged::CriticalFindings& findings,
                                      const WholeStateJson& whole);
+
+/// The costs of the searches: its member `statistics`.
+nlohmann::ordered_json critical_statistics(const wedged::CriticalFindings& findings);
 
 /// One row per pattern, in the order of the result file.
 void write_critical_csv(std::ostream& out, const problems::WedgedProblem& problem,

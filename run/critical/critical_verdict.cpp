@@ -6,30 +6,25 @@
 
 #include <fmt/format.h>
 
-#include "run/output/name_ranges.hpp"
-#include "run/wedged/nearest_failure.hpp"
-#include "run/wedged/problem_summary.hpp"
+#include "run/wedged/contact_words.hpp"
 
 namespace kusabi::run {
 namespace {
 
-// A pattern that is feasible at the upper bound, where others may be as well, and its slipping
-// candidates; in an open bracket, the pattern known to stick with the least friction.
+// A pattern that is feasible at the upper bound, where others may be as well; in a closed bracket
+// also its slipping candidates.
 std::string first_way(const problems::WedgedProblem& problem, const wedged::CriticalEntry& first,
                       bool closed) {
-  auto text = fmt::format("{} number 1 (in contact: {})",
-                          closed ? "It sticks there in pattern"
-                                 : "The pattern known to stick with the least friction is",
-                          contact_text(problem, first.pattern));
-  if (!closed || first.reaction.empty() || !first.upper) return text + '.';
-  const auto nearest = nearest_failure(problem, *first.upper, first.block, first.pattern,
-                                       first.reaction, first.displacement);
-  if (nearest.slips_there.empty()) return text + '.';
-  support::IndexSet slips;
-  for (const int i : nearest.slips_there) slips.insert(i);
-  return fmt::format("{}; with less friction {} {}.", text,
-                     with_ranges(candidate_names(problem, slips)),
-                     nearest.slips_there.size() == 1 ? "slips" : "slip");
+  auto text = fmt::format(
+      "One way is pattern 1, with {}",
+      contact_words(problem, first.block, first.pattern.contact, first.pattern.inactive));
+  if (closed && !first.reaction.empty()) {
+    const auto need = friction_need(problem, first.block, first.pattern.contact, first.reaction);
+    if (!need.slips.empty())
+      text += fmt::format("; with less friction {}",
+                          slip_words(problem, first.block, first.pattern.contact, need));
+  }
+  return text + '.' + (first.upper ? angle_sentence(problem, *first.upper) : "");
 }
 
 }  // namespace

@@ -7,14 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "answer/words.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/results/hold_chart.hpp"
 #include "run/results/result_reader.hpp"
 #include "run/results/result_scenes.hpp"
-#include "run/results/result_verdict.hpp"
 #include "run/results/sweep_result.hpp"
 
 namespace kusabi::run {
@@ -55,8 +53,8 @@ class Draw final : public Subcommand {
       throw WrongInput(fmt::format(
           "--pattern {}: the picture of {} is one chart; expected no --pattern", pattern_, file_));
     }
-    const auto sentence = answer::headline(result_verdict(reader));
-    chart_ = is_sweep(reader) ? sweep_chart(reader, sentence) : hold_chart(reader, sentence);
+    chart_ = is_sweep(reader) ? sweep_chart(reader, reader.sentence())
+                              : hold_chart(reader, reader.sentence());
     if (!chart_)
       throw WrongInput(fmt::format(
           "{}: has no results that could be drawn; expected a result with at least one", file_));

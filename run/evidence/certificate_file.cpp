@@ -73,7 +73,7 @@ bool is_whole(const std::string& name, const std::string& header) {
 PartsOwner owner(const std::string& name, std::uint64_t tree, const std::string& checkpoint = {}) {
   return {.option = "--certificate",
           .name = name,
-          .content = "the proofs",
+          .content = "the evidence",
           .tree = tree,
           .checkpoint = checkpoint};
 }

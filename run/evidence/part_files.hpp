@@ -17,7 +17,7 @@ namespace kusabi::run {
 struct PartsOwner {
   std::string option;      ///< that names the file, for messages
   std::string name;        ///< of the file into which the parts are joined
-  std::string content;     ///< noun for their lines, for messages: "the proofs"
+  std::string content;     ///< noun for their lines, for messages: "the evidence"
   std::uint64_t tree = 0;  ///< fingerprint of the searched tree
   std::string checkpoint;  ///< file that keeps the state of the search; empty: none
 };

@@ -9,7 +9,6 @@
 #include "engine/analysis/analysis.hpp"
 #include "engine/collectives.hpp"
 #include "nodes/limit/root/safe_big_m.hpp"
-#include "problems/files/sections/residual_strength.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "problems/limit/limit_analysis.hpp"
 #include "problems/limit/limit_problem.hpp"
@@ -17,7 +16,6 @@
 #include "problems/limit/program_names.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "run/command/command_run.hpp"
-#include "run/command/group_half_widths.hpp"
 #include "run/command/registrations.hpp"
 #include "run/export/exported_file.hpp"
 #include "run/output/values.hpp"
@@ -49,7 +47,7 @@ class ExportMps final : public ExportedFile {
   Program choice_ = Program::worst_case;
   std::optional<double> alpha_;
   std::string load_case_;
-  std::string group_alpha_;
+  problems::GroupHalfWidths group_alpha_;
   std::optional<double> asked_m_;
   bool struts_ = false;  // some members have a residual strength
   std::optional<problems::LimitProblem> problem_;
@@ -73,7 +71,6 @@ void ExportMps::describe(OptionTable& table) {
 
 void ExportMps::check() const {
   const bool of_worst_case = choice_ == Program::worst_case;
-  group_half_widths(group_alpha_);
   if (!of_worst_case && (alpha_ || asked_m_ || !group_alpha_.empty())) {
     throw WrongInput("--alpha, --group-alpha, --big-m: require --program worst-case");
   }
@@ -81,7 +78,7 @@ void ExportMps::check() const {
 
 void ExportMps::prepare(CommandRun& run) {
   const auto structure = input().structure(run);
-  struts_ = problems::residual_strengths(input().text.toml, input().file, *structure).size() > 0;
+  struts_ = problems::has_struts(structure);
   problem_ = problems::limit_problem(problems::in_chosen_case(structure, load_case_));
   if (choice_ == Program::worst_case) set_half_widths(*structure);
   engine::require_equal_on_all_ranks(run.session().transport(), problem_->fingerprint);
@@ -91,9 +88,7 @@ void ExportMps::set_half_widths(const problems::Structure& whole) {
   problems::LimitProblem* const one = &*problem_;
   try {
     alpha_ = problems::set_half_widths(
-        {&one, 1},
-        {.alpha = alpha_,
-         .groups = problems::of_cases(group_half_widths(group_alpha_), {&one, 1}, whole)});
+        {&one, 1}, {.alpha = alpha_, .groups = problems::of_cases(group_alpha_, {&one, 1}, whole)});
   } catch (const problems::HalfWidthError& error) {
     throw WrongInput(
         fmt::format("{}: {}", group_alpha_.empty() ? "--alpha" : "--group-alpha", error.what()));

@@ -2,10 +2,12 @@
 #include "run/hold/diagram_report.hpp"
 
 #include <iterator>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "answer/words.hpp"
 #include "run/hold/hold_report.hpp"
 #include "run/output/csv.hpp"
 
@@ -22,9 +24,9 @@ ordered_json points_json(const Points& points) {
 }
 
 // Standing of the answer that no factor is held.
-const char* none(const HeldPoint& point) {
+std::string none(const HeldPoint& point) {
   if (point.factors.unresolved) return "not known";
-  return is_proved(point.factors.outside) ? "none, proved" : "none, computed";
+  return fmt::format("none, {}", answer::standing_word(point.factors.outside));
 }
 
 // With several coefficients the first column is theirs, and one without intervals has a row.
@@ -38,7 +40,7 @@ void write_intervals(CsvWriter& csv, const wedged::LoadedProblem& loaded,
       if (several) csv.number(point.mu);
       csv.count(++number).number(each.low.value).number(each.high.value);
       const auto outside = both(each.low_out.standing, each.high_out.standing);
-      csv.word(is_proved(both(each.held(), outside)) ? "proved" : "computed");
+      csv.word(answer::standing_word(both(each.held(), outside)));
       csv.text(contact_of(loaded, each.block, each.pattern)).end_row();
     }
     if (several && number == 0)
@@ -48,8 +50,7 @@ void write_intervals(CsvWriter& csv, const wedged::LoadedProblem& loaded,
 
 }  // namespace
 
-ordered_json diagram_json(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                          const wedged::Diagram& diagram) {
+ordered_json pieces_json(const wedged::LoadedProblem& loaded, const wedged::Diagram& diagram) {
   auto pieces = ordered_json::array();
   for (const auto& piece : diagram.pieces) {
     pieces.push_back({{"pattern", pattern_names(loaded, piece.pattern)},
@@ -58,10 +59,7 @@ ordered_json diagram_json(const HoldOptions& options, const wedged::LoadedProble
                       {"everything", piece.is_whole_plane},
                       {"fine", piece.fine}});
   }
-  return {{"cases", options.cases},
-          {"proved", is_proved(diagram.outside)},
-          {"open", diagram.unresolved},
-          {"pieces", std::move(pieces)}};
+  return pieces;
 }
 
 std::string diagram_table(const wedged::LoadedProblem& loaded, const wedged::Diagram& diagram) {

@@ -11,8 +11,9 @@
 
 namespace kusabi::run {
 
-nlohmann::ordered_json diagram_json(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                                    const wedged::Diagram& diagram);
+/// The pieces of the diagram.
+nlohmann::ordered_json pieces_json(const wedged::LoadedProblem& loaded,
+                                   const wedged::Diagram& diagram);
 
 /// One row per piece.
 std::string diagram_table(const wedged::LoadedProblem& loaded, const wedged::Diagram& diagram);

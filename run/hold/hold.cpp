@@ -14,7 +14,6 @@
 #include "problems/wedged/problem_block.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
-#include "run/command/sweep_points.hpp"
 #include "run/hold/diagram_report.hpp"
 #include "run/hold/hold_certificate.hpp"
 #include "run/hold/hold_report.hpp"
@@ -44,6 +43,7 @@ class Hold final : public Subcommand {
 
  private:
   void check() const override;
+  [[nodiscard]] nlohmann::ordered_json json(const CommandRun& run) const;
   void refuse_without_loads() const;
   void refuse_total() const;
   wedged::LoadedProblem loads_of_cases(const support::LongWork& work);
@@ -57,8 +57,8 @@ class Hold final : public Subcommand {
 
 void Hold::describe(OptionTable& table) {
   table.problem(options_.input.file);
-  table.text(
-      "--mu", options_.mu, "POINTS",
+  table.points(
+      "--mu", options_.points, at_least(0),
       "friction coefficient, or several: START:END:STEP, or a list with commas. Default: the "
       "smallest one for the dead load is computed");
   table.load_case(options_.load_case);
@@ -102,7 +102,7 @@ void Hold::describe(OptionTable& table) {
 // Files without the requested load are refused.
 void Hold::refuse_without_loads() const {
   const bool dead = loaded_.has_dead_part();
-  const bool given = !options_.mu.empty();
+  const bool given = !options_.points.empty();
   if (dead || (given && loaded_.has_reference)) return;
   throw WrongInput(fmt::format(
       "{}: there is no {}; expected [[loads]] of kind \"dead\"{}, or a clearance of [[contact]]",
@@ -169,15 +169,13 @@ void Hold::check() const {
     throw WrongInput(
         "--cuts always: certificates have no bounds of candidates; expected --cuts auto or none");
   }
-  if (options_.mu.empty() || sweep_points("--mu", options_.mu, true).size() == 1) return;
-  if (options_.diagram || !options_.certificate.empty()) {
+  if (options_.points.size() > 1 && (options_.diagram || !options_.certificate.empty())) {
     throw WrongInput(
         "--mu: --diagram and --certificate are for one friction coefficient; expected one");
   }
 }
 
 void Hold::prepare(CommandRun& run) {
-  if (!options_.mu.empty()) options_.points = sweep_points("--mu", options_.mu, true);
   if (options_.points.empty() && (run.wants("--csv") || run.wants("--svg")))
     throw WrongInput("--csv, --svg: without --mu there are no load factors; expected --mu");
   auto [structure, facets] = options_.input.structure_and_facets(run);
@@ -226,8 +224,8 @@ void Hold::search(CommandRun& run) {
                                       loaded_);
   if (options_.points.empty()) {
     findings_.friction = wedged::holding_friction(analysis, loaded_, parameters);
-    if (findings_.friction->upper)
-      warn_of_facets(run, options_.input, facets_, *findings_.friction->upper);
+    if (const auto& upper = findings_.friction->bracket.upper)
+      warn_of_facets(run, options_.input, facets_, upper->value);
     return;
   }
   if (options_.diagram) {
@@ -271,15 +269,19 @@ void Hold::search_at(engine::Analysis& analysis, double mu) {
 
 std::vector<Step> Hold::results(CommandRun& run) {
   return {
-      run.result([this] { return hold_json(options_, structure_, loaded_, findings_); }),
+      run.result([this, &run] { return json(run); }),
       run.file("--csv", [this](auto& out) { write_held_csv(out, options_, loaded_, findings_); }),
       run.file("--svg",
-               [this](auto& out) {
-                 const ResultReader result(hold_json(options_, structure_, loaded_, findings_),
-                                           "the result");
+               [this, &run](auto& out) {
+                 const ResultReader result(json(run), "the result");
                  write_chart(out, hold_chart(result, answer::headline(verdict())).value());
                }),
       run.answer([this] { return hold_table(options_, loaded_, findings_); })};
+}
+
+nlohmann::ordered_json Hold::json(const CommandRun& run) const {
+  return run.result_json(problem_json(structure_, loaded_.problem, options_.input.file),
+                         hold_json(options_, loaded_, findings_), costs_json(findings_));
 }
 
 answer::Verdict Hold::verdict() const {

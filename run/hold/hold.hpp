@@ -20,7 +20,6 @@ namespace kusabi::run {
 
 struct HoldOptions {
   ProblemInput input;
-  std::string mu;              ///< as in the call
   std::vector<double> points;  ///< friction coefficients; none: the smallest one is requested
   std::string load_case;
   wedged::HoldParameters parameters;

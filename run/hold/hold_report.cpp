@@ -6,13 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "answer/ending.hpp"
 #include "answer/values.hpp"
 #include "answer/words.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "run/hold/diagram_report.hpp"
-#include "run/hold/hold_verdict.hpp"
-#include "run/wedged/cuts_words.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "support/rounded_bounds.hpp"
 
@@ -45,19 +42,6 @@ ordered_json names_in_block(const wedged::LoadedProblem& loaded, std::uint32_t b
   if (!pattern) return nullptr;
   const auto own = problems::blocks_of(loaded.problem)[block];
   return pattern_names(loaded, wedged::in_whole(*pattern, own));
-}
-
-ordered_json grip_json(const wedged::GripRange& found) {
-  if (!found.held) return {{"held", false}};
-  const auto end = [](const wedged::GripEnd& own) -> ordered_json {
-    if (own.unbounded) return nullptr;
-    return {{"held", own.known ? ordered_json(own.held.value) : ordered_json()},
-            {"out", own.known ? ordered_json(own.out.value) : ordered_json()},
-            {"held_proved", own.held.proved()},
-            {"out_proved", own.out.proved()}};
-  };
-  const ordered_json held = is_proved(found.standing) ? ordered_json(true) : ordered_json(nullptr);
-  return {{"held", held}, {"least", end(found.minimum)}, {"most", end(found.maximum)}};
 }
 
 std::string grip_table(const wedged::GripRange& found) {
@@ -118,6 +102,8 @@ std::string reactions_text(const wedged::LoadedProblem& loaded, std::uint32_t bl
                      parts.empty() ? "none" : listed(parts));
 }
 
+}  // namespace
+
 ordered_json costs_json(const HoldFindings& findings) {
   auto searches = ordered_json::array();
   for (const auto& cost : findings.costs()) {
@@ -130,58 +116,41 @@ ordered_json costs_json(const HoldFindings& findings) {
   return {{"searches", std::move(searches)}};
 }
 
+namespace {
+
+/// What the answer does not have: a pattern and a state at an end of each interval.
 ordered_json intervals_json(const wedged::LoadedProblem& loaded, const wedged::HeldFactors& found) {
   auto intervals = ordered_json::array();
   for (const auto& each : found.intervals) {
-    intervals.push_back({{"low", answer::number_or_null(each.low.value)},
-                         {"low_out", answer::number_or_null(each.low_out.value)},
-                         {"high", answer::number_or_null(each.high.value)},
-                         {"high_out", answer::number_or_null(each.high_out.value)},
-                         {"proved", is_proved(each.held())},
-                         {"low_proved", each.low_out.proved()},
-                         {"high_proved", each.high_out.proved()},
-                         {"pattern", names_in_block(loaded, each.block, each.pattern)},
+    intervals.push_back({{"pattern", names_in_block(loaded, each.block, each.pattern)},
                          {"state", state_json(loaded, each.block, each.pattern, each.state)}});
   }
   return intervals;
 }
 
-ordered_json points_json(const wedged::LoadedProblem& loaded,
-                         const std::vector<HeldPoint>& points) {
-  auto list = ordered_json::array();
-  for (const auto& [mu, factors, grip] : points) {
-    list.push_back({{"mu", mu},
-                    {"intervals", intervals_json(loaded, factors)},
-                    {"proved", is_proved(factors.outside)},
-                    {"open", factors.unresolved}});
-    if (grip) list.back()["grip"] = grip_json(*grip);
-  }
-  return list;
-}
+}  // namespace
 
-ordered_json result_json(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                         const HoldFindings& findings) {
-  ordered_json holding;
-  const bool several = options.points.size() > 1;
-  const bool one = findings.points.size() == 1 && !several;
+ordered_json hold_json(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                       const HoldFindings& findings) {
+  auto result = ordered_json::object();
   if (findings.friction) {
     const auto& found = *findings.friction;
-    holding = {{"lower", answer::number_or_null(found.bracket.at_least())},
-               {"upper", answer::number_or_null(found.bracket.at_most())},
-               {"lower_proved", is_proved(found.bracket.lower)},
-               {"upper_proved", is_proved(found.bracket.upper)},
-               {"pattern", names_in_block(loaded, found.block, found.pattern)},
-               {"state", state_json(loaded, found.block, found.pattern, found.state)}};
+    result["holding_friction"] = {
+        {"pattern", names_in_block(loaded, found.block, found.pattern)},
+        {"state", state_json(loaded, found.block, found.pattern, found.state)}};
   }
-  ordered_json result{{"holding_friction", std::move(holding)},
-                      {"intervals", one ? intervals_json(loaded, findings.points.front().factors)
-                                        : ordered_json()}};
-  if (one && findings.points.front().grip)
-    result["grip"] = grip_json(*findings.points.front().grip);
-  if (several) result["points"] = points_json(loaded, findings.points);
-  if (findings.diagram) result["diagram"] = diagram_json(options, loaded, *findings.diagram);
+  if (options.points.size() > 1) {
+    result["points"] = ordered_json::array();
+    for (const auto& point : findings.points)
+      result["points"].push_back({{"intervals", intervals_json(loaded, point.factors)}});
+  } else if (!findings.points.empty()) {
+    result["intervals"] = intervals_json(loaded, findings.points.front().factors);
+  }
+  if (findings.diagram) result["pieces"] = pieces_json(loaded, *findings.diagram);
   return result;
 }
+
+namespace {
 
 std::string interval_row(const wedged::LoadedProblem& loaded, const std::string& first,
                          const wedged::HeldInterval& each) {
@@ -248,28 +217,6 @@ std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& 
   fmt::format_to(out, "\n{}, {}\n", answer::counted(findings.costs().size(), "tree"),
                  answer::counted(opened, "node"));
   return text;
-}
-
-ordered_json hold_json(const HoldOptions& options, const problems::Structure& structure,
-                       const wedged::LoadedProblem& loaded, const HoldFindings& findings) {
-  const auto& points = options.points;
-  ordered_json given{{"mu", points.size() > 1    ? ordered_json(points)
-                            : points.size() == 1 ? ordered_json(points.front())
-                                                 : ordered_json()},
-                     {"mu_max", options.parameters.maximum},
-                     {"case", options.load_case}};
-  if (options.parameters.total) given["total"] = *options.parameters.total;
-  if (options.grip) given["grip"] = true;
-  if (options.diagram) given["diagram"] = true;
-  if (options.parameters.tightening != wedged::Tightening::automatic)
-    given["cuts"] = word_of(cuts_words(), options.parameters.tightening);
-  return {{"command", "hold"},
-          {"version", KUSABI_VERSION},
-          {"problem", problem_json(structure, loaded.problem, options.input.file)},
-          {"options", std::move(given)},
-          {"status", answer::status_text(hold_verdict(options, loaded, findings))},
-          {"result", result_json(options, loaded, findings)},
-          {"statistics", costs_json(findings)}};
 }
 
 }  // namespace kusabi::run

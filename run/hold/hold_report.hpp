@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "nodes/wedged/hold/load_program.hpp"
-#include "problems/structure/model/structure.hpp"
 #include "run/hold/hold.hpp"
 
 namespace kusabi::run {
@@ -24,8 +23,11 @@ nlohmann::ordered_json pattern_names(const wedged::LoadedProblem& loaded,
 std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& loaded,
                        const HoldFindings& findings);
 
-/// The result file; its schema is in docs/result-files.md.
-nlohmann::ordered_json hold_json(const HoldOptions& options, const problems::Structure& structure,
-                                 const wedged::LoadedProblem& loaded, const HoldFindings& findings);
+/// The member `result` of a result file.
+nlohmann::ordered_json hold_json(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                                 const HoldFindings& findings);
+
+/// The costs of the searches: its member `statistics`.
+nlohmann::ordered_json costs_json(const HoldFindings& findings);
 
 }  // namespace kusabi::run

@@ -10,7 +10,9 @@
 #include <fmt/format.h>
 
 #include "answer/answer_words.hpp"
+#include "problems/wedged/problem_block.hpp"
 #include "problems/wedged/wedged_problem.hpp"
+#include "run/wedged/contact_words.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -33,6 +35,21 @@ answer::HoldingBracket bracket_of(const HoldOptions& options, const wedged::Load
   return answer;
 }
 
+// A state at the upper bound, where there may be others; in a closed bracket also its slipping
+// candidates. Empty if it needs no friction.
+std::string one_state(const wedged::LoadedProblem& loaded, const wedged::HoldingFriction& found) {
+  if (!found.bracket.upper || !found.pattern || !found.state) return {};
+  const auto& problem = loaded.problem;
+  const auto contact =
+      problems::in_whole(found.pattern->contact, problems::blocks_of(problem)[found.block]);
+  const auto need = friction_need(problem, found.block, contact, found.state->reaction);
+  if (need.slips.empty()) return {};
+  auto text = "One state has " + contact_words(problem, found.block, contact);
+  if (found.status == engine::Status::solved && found.bracket.lower)
+    text += "; with less friction " + slip_words(problem, found.block, contact, need);
+  return text + '.' + angle_sentence(problem, found.bracket.at_most());
+}
+
 answer::HoldingFactors factors_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
                                   const HeldPoint& point) {
   const auto& found = point.factors;
@@ -48,8 +65,7 @@ answer::HoldingFactors factors_of(const HoldOptions& options, const wedged::Load
   if (found.any_by_wedging) answer.reason = answer::HoldReason::wedging;
   if (found.not_in_equilibrium) answer.reason = answer::HoldReason::unbalanced;
   for (const auto& each : found.intervals) {
-    answer.intervals.push_back({each.low.value, each.high.value, each.held(),
-                                end_of(each.low, each.low_out, false),
+    answer.intervals.push_back({each.held(), end_of(each.low, each.low_out, false),
                                 end_of(each.high, each.high_out, true)});
   }
   return answer;
@@ -72,7 +88,7 @@ answer::HoldingDiagram diagram_of(const HoldOptions& options, const wedged::Load
 
 answer::HoldingGrip grip_of(const wedged::GripRange& found) {
   answer::HoldingGrip grip{.held = found.held,
-                           .held_standing = found.standing,
+                           .standing = found.standing,
                            .unbounded = found.maximum.unbounded,
                            .unbounded_standing = found.maximum.held.standing};
   if (found.status != engine::Status::solved || !found.held) return grip;
@@ -99,15 +115,13 @@ std::vector<std::string> missing_certificates(const HoldFindings& findings) {
     std::vector<std::string> sentences;
     const auto& found = *findings.friction;
     if (found.bracket.at_most() > 0 && !is_proved(found.bracket.lower))
-      sentences.emplace_back("No certificate of a lower bound was written, since none is proved.");
+      sentences.emplace_back(answer::no_proved_lower_bound);
     if (found.bracket.upper && !is_proved(found.bracket.upper))
-      sentences.emplace_back(
-          "No certificate of the upper bound was written, since it is computed, not proved.");
+      sentences.emplace_back(answer::no_proved_upper_bound);
     return sentences;
   }
   if (!findings.friction && findings.certified) return {};
-  return {fmt::format("No certificate was written, since {}.",
-                      ended ? "the search ended early" : "it would contain no proof")};
+  return {answer::no_certificate(ended ? "the search ended early" : answer::nothing_is_proved)};
 }
 
 }  // namespace
@@ -119,6 +133,8 @@ answer::Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedPro
   if (findings.friction) {
     verdict.answer = bracket_of(options, loaded, *findings.friction);
     any = findings.friction->any_by_supports;
+    if (auto text = one_state(loaded, *findings.friction); !text.empty())
+      verdict.details.push_back(std::move(text));
   } else if (findings.diagram) {
     verdict.answer = diagram_of(options, loaded, *findings.diagram);
   } else if (options.points.size() > 1) {

@@ -9,7 +9,9 @@
 #include <fmt/ostream.h>
 #include <fmt/ranges.h>
 
+#include "answer/fields.hpp"
 #include "answer/values.hpp"
+#include "answer/words.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "run/limit/limit_cases.hpp"
@@ -98,10 +100,9 @@ void write_table(std::string& text, const LimitProblem& problem, const NamedCurv
   const auto& last = curve.pieces.back();
   fmt::format_to(out, "  {:>10.6f} {:>12.6f}\n", last.to, last.factor_at_end);
   if (curve.end) {
-    fmt::format_to(out, "  {:>10.6f}     not carried at any factor from here on{}\n",
-                   curve.end->not_carried_at, curve.end->proved ? ", proved" : "");
+    fmt::format_to(out, "  {:>10.6f}     not carried at any factor from here on, {}\n",
+                   curve.end->not_carried_at, answer::standing_word(curve.end->standing));
   }
-  if (curve.proved()) fmt::format_to(out, "  proved to within {:.1e}\n", error);
 }
 
 ordered_json pieces_json(const LimitProblem& problem, const LoadCurve& curve) {
@@ -124,7 +125,8 @@ ordered_json pieces_json(const LimitProblem& problem, const LoadCurve& curve) {
 
 std::string CurveReport::table() const {
   std::string text;
-  const bool struts = options.parameters.residual.size() > 0;
+  const bool struts = std::ranges::any_of(
+      problem.members, [](const auto& member) { return member.yield->residual.has_value(); });
   for (const auto& named : curves_of(*this)) write_table(text, problem, named, struts);
   return text;
 }
@@ -136,7 +138,7 @@ void CurveReport::add_to(ordered_json& result) const {
     if (!end) continue;
     result[std::string(named.key) + "_end"] = {{"carried_at", end->carried_at},
                                                {"not_carried_at", end->not_carried_at},
-                                               {"proved", end->proved}};
+                                               {"standing", answer::name_of(end->standing)}};
   }
 }
 

@@ -2,40 +2,153 @@
 #include "run/limit/limit.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <memory>
+#include <set>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "engine/collectives.hpp"
 #include "nodes/limit/limit_loads.hpp"
-#include "problems/files/sections/residual_strength.hpp"
+#include "problems/files/sections/node_forces.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "run/command/command_run.hpp"
-#include "run/command/group_half_widths.hpp"
+#include "run/command/listed_names.hpp"
 #include "run/command/registrations.hpp"
-#include "run/limit/curve_load.hpp"
 #include "run/limit/curve_report.hpp"
 #include "run/limit/limit_cases.hpp"
-#include "run/limit/limit_pictures.hpp"
 #include "run/limit/limit_report.hpp"
 #include "run/limit/limit_words.hpp"
-#include "run/limit/members_csv.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
+#include "run/pictures/structure_json.hpp"
 #include "run/session/kept_state.hpp"
 #include "support/fingerprint.hpp"
+#include "support/input_error.hpp"
 #include "verify/limit/limit_certificate.hpp"
 #include "verify/limit/loss_certificate.hpp"
 
 namespace kusabi::run {
 namespace {
+
+using problems::LimitProblem;
+using support::InputError;
+
+// Names of the nodes and members of a truss, and the members that each stands for.
+class MemberNames {
+ public:
+  MemberNames(const problems::Structure& truss, const LimitProblem& problem);
+
+  std::vector<std::string> names;
+  std::vector<std::vector<int>> members;  ///< of each name
+
+ private:
+  void add(const std::string& name, int member);
+
+  std::unordered_map<std::string, std::size_t> places_;
+};
+
+MemberNames::MemberNames(const problems::Structure& truss, const LimitProblem& problem) {
+  std::vector<std::vector<std::string>> of_node;
+  for (const auto& name : truss.node_names) of_node.push_back({name});
+  for (const auto& [name, node] : truss.more_names)
+    of_node[static_cast<std::size_t>(node)].push_back(name);
+  for (int i = 0; i < problem.member_count(); ++i) {
+    const auto& bar = problem.members[static_cast<std::size_t>(i)];
+    for (const auto& first : of_node[static_cast<std::size_t>(bar.first)]) {
+      for (const auto& second : of_node[static_cast<std::size_t>(bar.second)]) {
+        for (const auto& name : {first, second, first + '-' + second, second + '-' + first})
+          add(name, i);
+      }
+    }
+  }
+}
+
+void MemberNames::add(const std::string& name, int member) {
+  const auto [place, is_new] = places_.try_emplace(name, names.size());
+  if (is_new) {
+    names.push_back(name);
+    members.emplace_back();
+  }
+  members[place->second].push_back(member);
+}
+
+// Members that are named, and those at named nodes.
+std::vector<int> kept_members(const problems::Structure& truss, const LimitProblem& problem,
+                              const std::string& text) {
+  const MemberNames all(truss, problem);
+  const auto [found, unknown] = names_in_list(text, all.names);
+  if (!unknown.empty()) {
+    throw WrongInput(fmt::format(
+        "--keep '{}': no such node or member; expected names separated by blanks or commas, a "
+        "member as NODE-NODE",
+        unknown));
+  }
+  std::set<int> members;
+  for (const auto i : found) members.insert(all.members[i].begin(), all.members[i].end());
+  return {members.begin(), members.end()};
+}
+
+// Nodal forces of the critical part of an earlier result.
+Eigen::MatrixXd of_result(const std::string& text, const std::string& file,
+                          const LimitProblem& problem) {
+  const auto& names = problem.node_names;
+  Eigen::MatrixXd forces =
+      Eigen::MatrixXd::Zero(problem.dimension, static_cast<Eigen::Index>(names.size()));
+  try {
+    const auto json = nlohmann::json::parse(text);
+    for (const auto& entry : json.at("result").at("critical_part")) {
+      const auto name = entry.at("node").get<std::string>();
+      const auto force = entry.at("force").get<std::vector<double>>();
+      const auto node = std::ranges::find(names, name);
+      if (node == names.end() || std::ssize(force) != problem.dimension) {
+        throw InputError(file, {},
+                         fmt::format("the critical part of the load at {} belongs to another "
+                                     "problem; expected a result with the same nodes",
+                                     support::in_quotes(name)));
+      }
+      forces.col(node - names.begin()) =
+          Eigen::Map<const Eigen::VectorXd>(force.data(), problem.dimension);
+    }
+  } catch (const nlohmann::json::exception&) {
+    throw InputError(file, {},
+                     "is not a result file with a critical_part; expected a result of kusabi limit "
+                     "--alpha, or a TOML file with [[loads]]");
+  }
+  return forces;
+}
+
+// Load of --curve-load, g, n^d, force, without the part on supports: from a TOML file, or a result
+// file, which begins with a brace. @throws support::InputError; also if the load is zero
+Eigen::VectorXd curve_load(const std::string& text, const std::string& file,
+                           const problems::Structure& truss, const LimitProblem& problem) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  const bool is_result = first != std::string::npos && text[first] == '{';
+  const Eigen::MatrixXd forces =
+      is_result ? of_result(text, file, problem) : problems::read_node_forces(text, file, truss);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(problem.free_count());
+  for (int node = 0; node < static_cast<int>(problem.node_names.size()); ++node) {
+    for (int axis = 0; axis < problem.dimension; ++axis) {
+      const int degree = problem.degrees.number(axis, node);
+      if (degree >= 0) load(degree) = forces(axis, node);
+    }
+  }
+  if (load.isZero(0.0)) {
+    throw InputError(file, {},
+                     "the load is zero at all free displacements; expected a force at a free node "
+                     "along a free axis");
+  }
+  return load;
+}
 
 class Limit final : public Subcommand {
  public:
@@ -59,7 +172,6 @@ class Limit final : public Subcommand {
   [[nodiscard]] const char* why_no_certificate() const;
 
   LimitOptions options_;
-  std::string group_alpha_;
   std::string certificate_;
   std::string curve_csv_;
   std::string vtu_;
@@ -72,8 +184,13 @@ void Limit::describe(OptionTable& table) {
   table.problem(options_.input.file);
   table.alpha(options_.asked.alpha, ", unless the file gives it another one").swept();
   table.load_case(options_.load_case, ". Default: all load cases of the file");
-  table.group_alpha(group_alpha_);
-  table.choice("--cuts", options_.parameters.method, limit_method_words(),
+  table.group_alpha(options_.asked.groups);
+  table.choice("--cuts", options_.parameters.method,
+               {{"none", limit::LimitMethod::fixed},
+                {"disjunctive", limit::LimitMethod::disjunctive},
+                {"tighten", limit::LimitMethod::tightened},
+                {"static", limit::LimitMethod::static_cuts},
+                {"all", limit::LimitMethod::all}},
                "method for the worst case: static cuts, or all corners of few uncertain loads, "
                "whichever is predicted to take less work (static), or the 0-1 program (29) of the "
                "paper without cuts (none), with the paper's disjunctive cuts (disjunctive), with a "
@@ -94,7 +211,24 @@ void Limit::describe(OptionTable& table) {
                "end of the curves, as a multiple of that load or of alpha");
   table.file("--curve-csv", curve_csv_, Role::output,
              "CSV file of the curves, one row per breakpoint");
-  options_.loss.describe(table);
+  table.number(
+      "--lose", &options_.loss.maximum, between(1, 1000),
+      "least load factor after the loss of up to this number of members; with half-widths of "
+      "uncertain loads, also over these loads");
+  table
+      .number("--at-least", &options_.loss.at_least, Range{},
+              "decide whether the limit load factor is at least this after every such loss")
+      .needs("--lose");
+  table
+      .text("--keep", options_.kept, "NAMES",
+            "members (NODE-NODE) that cannot be lost, and nodes all of whose members cannot; "
+            "separated by blanks or commas")
+      .needs("--lose");
+  table
+      .number("--sudden", &options_.loss.sudden, between(1, 100),
+              "dynamic factor by which a sudden loss multiplies all loads: 1 for a slow loss or "
+              "unlimited ductility, 2 for an elastic structure")
+      .needs("--lose");
   table.output();
   table.further_output("--csv", "CSV file of the members: forces, utilisation, yielding");
   table.pictures(vtu_, "collapse, nominal and worst case", "limit.pvd");
@@ -107,7 +241,6 @@ void Limit::describe(OptionTable& table) {
 }
 
 void Limit::check() const {
-  group_half_widths(group_alpha_);
   if (options_.loss.maximum > 0) refuse_with_losses();
   if (options_.parameters.big_m && options_.parameters.method == limit::LimitMethod::static_cuts)
     throw WrongInput("--big-m: requires --cuts none, disjunctive, tighten or all");
@@ -147,7 +280,6 @@ void Limit::refuse_without_worst_case() const {
 
 // Half-widths of uncertain loads, from the file and the call.
 void Limit::set_half_widths(const problems::Structure& whole) {
-  options_.asked.groups = group_half_widths(group_alpha_);
   std::vector<problems::LimitProblem*> problems;
   for (auto& each : cases_) problems.push_back(&each.problem);
   auto asked = options_.asked;
@@ -200,22 +332,23 @@ void Limit::prepare(CommandRun& run) {
     warn_all(run.session(),
              {"kusabi limit ignores [[contact]]: the truss is analysed without obstacles"});
   }
-  options_.parameters.residual =
-      problems::residual_strengths(options_.input.text.toml, options_.input.file, structure);
   take_cases(structure);
   set_half_widths(*structure);
   warn_without_uncertain_loads(run);
-  options_.parameters.loss =
-      options_.loss.parameters(*cases_.front().truss, cases_.front().problem);
+  if (options_.loss.maximum > 0) {
+    options_.loss.kept = kept_members(*cases_.front().truss, cases_.front().problem, options_.kept);
+    options_.parameters.loss = options_.loss;
+  }
   engine::Facts facts;
   for (const auto& [name, truss, problem, found] : cases_) {
     engine::require_equal_on_all_ranks(run.session().transport(), problem.fingerprint);
     facts.emplace_back(name.empty() ? "the problem" : "the problem, case " + name,
                        hexadecimal(problem.fingerprint));
   }
-  if (options_.parameters.residual.size() > 0) {
+  if (problems::has_struts(structure)) {
     support::Fingerprint strengths;
-    for (const double strength : options_.parameters.residual) strengths.add(strength);
+    for (const auto& member : structure->members)
+      strengths.add(member.yield->residual.value_or(member.yield->compression));
     facts.emplace_back("the residual strengths", hexadecimal(strengths.value()));
   }
   if (!options_.curve_load.empty()) {
@@ -262,7 +395,10 @@ void Limit::search(CommandRun& run) {
 std::vector<Step> Limit::results(CommandRun& run) {
   const auto report = std::make_shared<const LimitReport>(
       LimitReport{options_, cases_, governing(cases_), run.session().ranks()});
-  std::vector<Step> steps{run.result([report] { return report->json(); })};
+  std::vector<Step> steps{run.result([this, report, &run] {
+    return run.result_json(limit_problem_json(report->problem, report->truss, options_.input.file),
+                           result_json(*report), statistics_json(*report));
+  })};
   steps.push_back(
       run.file("--csv", [report](std::ostream& out) { write_members_csv(out, *report); }));
   steps.push_back(run.file("--curve-csv", [report](std::ostream& out) {
@@ -289,8 +425,8 @@ bool Limit::claims_losses() const {
 
 const char* Limit::why_no_certificate() const {
   const auto& worst = cases_.front().found.answer.worst;
-  if (worst && worst->as_printed) return "the search stopped before both bounds were proved";
-  return "not all bounds are proved";
+  if (worst && worst->as_printed) return answer::ended_before_the_proof;
+  return answer::not_all_is_proved;
 }
 
 answer::Verdict Limit::verdict() const {

@@ -9,21 +9,18 @@
 #include "problems/limit/half_widths.hpp"
 #include "run/command/option_table.hpp"
 #include "run/command/problem_input.hpp"
-#include "run/limit/loss_options.hpp"
 
 namespace kusabi::run {
-
-/// Words of --cuts.
-const OptionWords<limit::LimitMethod>& limit_method_words();
 
 struct LimitOptions {
   ProblemInput input;
   std::string load_case;   ///< requested load case; empty: all
   std::string curve_load;  ///< file of the load of a curve
   problems::RequestedHalfWidths asked;
-  limit::LimitParameters parameters;  ///< its alpha follows from `asked` and the file
-  engine::Limits limits;              ///< limits of the tree search
-  LossOptions loss;
+  limit::LimitParameters parameters;         ///< its alpha follows from `asked` and the file
+  engine::Limits limits;                     ///< limits of the tree search
+  limit::LossParameters loss{.maximum = 0};  ///< 0: the loss of members is not requested
+  std::string kept;                          ///< nodes and members, as in the call
   CheckpointChoice checkpoint;
 };
 

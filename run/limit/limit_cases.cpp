@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/fields.hpp"
 #include "answer/values.hpp"
+#include "answer/words.hpp"
 #include "run/limit/limit_report.hpp"
 #include "run/limit/limit_words.hpp"
 #include "run/limit/loss_report.hpp"
@@ -20,33 +22,27 @@ namespace {
 
 using nlohmann::ordered_json;
 
-bool is_carried_at_none(const limit::LimitAnswer& answer) {
-  if (answer.worst) return answer.worst->status == limit::RootStatus::not_carried;
-  return answer.status == limit::LoadStatus::not_carried;
-}
-
 // Factor by which cases are compared; infinity: unknown.
 double min_factor(const LimitCase& each) {
   const auto& answer = each.found.answer;
   constexpr double none = -std::numeric_limits<double>::infinity();
   if (const auto& loss = each.found.loss) return loss->fatal ? none : loss->ends.at_most();
-  if (is_carried_at_none(answer)) return none;
+  if (limit::at_no_factor(answer)) return none;
   if (answer.worst) return answer.worst->ends.at_most();
   return answer.nominal ? answer.nominal->factor : std::numeric_limits<double>::infinity();
 }
 
 const char* state_of(const limit::LimitFindings& found) {
   if (!found.whole()) return "open";
-  return is_carried_at_none(found.answer) ? "not-carried" : "solved";
+  return limit::at_no_factor(found.answer) ? "not-carried" : "solved";
 }
 
 // The results of one case in a line, and the critical combination of its actions in another.
 std::string found_text(const LimitCase& each) {
   const auto& found = each.found;
   const auto& answer = found.answer;
-  if (is_carried_at_none(answer)) {
-    return fmt::format("not carried at any factor{}", answer.whole() ? ", proved" : ", open");
-  }
+  if (const auto standing = limit::at_no_factor(answer))
+    return fmt::format("not carried at any factor, {}", answer::standing_word(*standing));
   if (!answer.nominal) return "open";
   std::vector<std::string> parts;
   if (!has_ranges(each.truss))
@@ -55,7 +51,7 @@ std::string found_text(const LimitCase& each) {
   if (!found.loss && !answer.whole()) parts.emplace_back("open");
   if (const auto& loss = found.loss) {
     parts.push_back(
-        loss->fatal ? fmt::format("no factor after a loss, {}", loss->proved() ? "proved" : "open")
+        loss->fatal ? fmt::format("no factor after a loss, {}", answer::standing_word(*loss->fatal))
                     : "after a loss " + factor_text(loss->ends));
   }
   auto text = fmt::format("{}", fmt::join(parts, ", "));
@@ -186,15 +182,12 @@ ordered_json cases_json(std::span<const LimitCase> cases) {
                                              answer.worst ? answer.worst->zeta : Eigen::VectorXd());
     }
     if (const auto& worst = answer.worst) {
-      row["worst_case"] = {{"lower", answer::number_or_null(worst->ends.at_least())},
-                           {"upper", answer::number_or_null(worst->ends.at_most())},
-                           {"proved", worst->proved()}};
+      row["worst_case"] = worst_case_json(*worst);
       row["guaranteed_interval"] = interval_json(guaranteed_interval(answer, each.found.residual));
     }
     if (const auto& loss = each.found.loss) {
-      row["member_loss"] = {{"lower", answer::number_or_null(loss->ends.at_least())},
-                            {"upper", answer::number_or_null(loss->ends.at_most())},
-                            {"proved", loss->proved()}};
+      row["member_loss"] = answer::written(loss->ends);
+      row["member_loss"]["standing"] = answer::name_of(loss->standing);
     }
     row["state"] = state_of(each.found);
     rows.push_back(std::move(row));

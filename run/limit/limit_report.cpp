@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "answer/values.hpp"
+#include "answer/words.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "run/limit/curve_report.hpp"
@@ -165,8 +166,8 @@ void write_worst(std::string& text, const LimitReport& report) {
   const char* const some_load =
       report.truss.actions.empty() ? "admissible dead load" : "combination of actions";
   if (worst.status == RootStatus::not_carried) {
-    fmt::format_to(out, "  some {} is not carried at any load factor of either sign, proved\n",
-                   some_load);
+    fmt::format_to(out, "  some {} is not carried at any load factor of either sign, {}\n",
+                   some_load, answer::standing_word(worst.standing));
     text += critical_load_text(report.truss, problem, worst.zeta);
   } else {
     write_ends(text, worst);
@@ -189,13 +190,15 @@ void write_worst(std::string& text, const LimitReport& report) {
 // Reason why there is no nominal factor.
 std::string no_nominal(const limit::LimitAnswer& answer) {
   if (answer.status == limit::LoadStatus::not_carried) {
-    return "the nominal dead load is not carried at any load factor of either sign, proved\n";
+    return fmt::format(
+        "the nominal dead load is not carried at any load factor of either sign, {}\n",
+        answer::standing_word(support::proved_if(answer.whole())));
   }
   if (answer.rest != engine::Status::solved) {
     return fmt::format("stopped early ({}) before the nominal load factor was found\n",
                        answer::status_name(answer.rest));
   }
-  return "open: no nominal load factor was proved\n";
+  return "open: the nominal load factor is not known\n";
 }
 
 }  // namespace

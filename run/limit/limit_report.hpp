@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <ostream>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "problems/structure/model/structure.hpp"
 #include "run/limit/limit.hpp"
 #include "run/limit/limit_cases.hpp"
+#include "run/output/output_folder.hpp"
 #include "run/output/terminal_page.hpp"
 
 namespace kusabi::run {
@@ -45,8 +47,17 @@ struct LimitReport {
 
   /// @param page page of the output
   [[nodiscard]] std::string table(const Page& page) const;
-  [[nodiscard]] nlohmann::ordered_json json() const;
 };
+
+/// The members `result` and `statistics` of a result file.
+nlohmann::ordered_json result_json(const LimitReport& report);
+nlohmann::ordered_json statistics_json(const LimitReport& report);
+
+/// One row per member, in the order of the file: forces, utilisation, yielding.
+void write_members_csv(std::ostream& out, const LimitReport& report);
+
+/// Collapse under the nominal load and in the worst case, as far as they are known.
+void draw_collapses(OutputFolder& folder, const LimitReport& report);
 
 /// A load by nodes, in the order of the nodes; zeros are left out. @param load n^d
 nlohmann::ordered_json load_json(const problems::LimitProblem& problem,

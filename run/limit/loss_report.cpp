@@ -11,7 +11,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/fields.hpp"
 #include "answer/values.hpp"
+#include "answer/words.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "run/limit/limit_report.hpp"
 #include "run/limit/limit_words.hpp"
@@ -54,7 +56,7 @@ std::string singles_text(const LimitProblem& problem, const LossAnswer& loss) {
   };
   std::string text = loss.uncertain
                          ? "  loss of one member (upper bounds, by alternating linear programs):\n"
-                         : "  loss of one member (not proved):\n";
+                         : "  loss of one member (computed):\n";
   const auto out = std::back_inserter(text);
   std::size_t shown = 0;
   for (const auto& single : singles) {
@@ -115,32 +117,32 @@ std::string fatal_text(const LimitProblem& problem, const problems::Structure& t
 
 void write_ends(std::string& text, const LossAnswer& loss) {
   const auto out = std::back_inserter(text);
-  const auto mark = [](bool proved) { return proved ? ", proved" : ", not proved"; };
   if (loss.fatal) {
-    fmt::format_to(out, "  after some loss no load factor is carried, of either sign{}\n",
-                   mark(loss.proved()));
+    fmt::format_to(out, "  after some loss no load factor is carried, of either sign, {}\n",
+                   answer::standing_word(*loss.fatal));
     return;
   }
   const auto& ends = loss.ends;
   if (loss.target) {
-    const char* const answer = !loss.reaches_target   ? "open"
-                               : *loss.reaches_target ? "yes, proved"
-                                                      : "no, proved";
+    const auto answer = loss.reaches_target
+                            ? fmt::format("{}, {}", *loss.reaches_target ? "yes" : "no",
+                                          answer::standing_word(support::Standing::proved))
+                            : "open";
     fmt::format_to(out, "  load factor at least {}: {}\n", *loss.target, answer);
   } else if (loss.proved()) {
     fmt::format_to(out, "  load factor {}\n", factor_text(ends));
     return;
   } else if (ends.lower) {
-    fmt::format_to(out, "  load factor at least {}{}\n",
+    fmt::format_to(out, "  load factor at least {}, {}\n",
                    support::rounded_down(ends.lower->value, support::digits_of_table),
-                   mark(ends.lower->proved()));
+                   answer::standing_word(ends.lower->standing));
   } else {
-    text += "  no lower bound of the load factor was proved\n";
+    text += "  a lower bound of the load factor is not known\n";
   }
   if (ends.upper)
-    fmt::format_to(out, "  load factor after the worst loss known at most {}{}\n",
+    fmt::format_to(out, "  load factor after the worst loss known at most {}, {}\n",
                    support::rounded_up(ends.upper->value, support::digits_of_table),
-                   mark(ends.upper->proved()));
+                   answer::standing_word(ends.upper->standing));
 }
 
 }  // namespace
@@ -188,21 +190,13 @@ std::string loss_text(const LimitProblem& problem, const problems::Structure& tr
 
 ordered_json loss_json(const LimitProblem& problem, const problems::Structure& truss,
                        const LossAnswer& loss) {
-  ordered_json json{
-      {"most", loss.maximum},
-      {"uncertain", loss.uncertain},
-      {"sudden", loss.sudden},
-      {"eligible", loss.eligible},
-      {"lower", answer::number_or_null(loss.ends.at_least())},
-      {"upper", answer::number_or_null(loss.ends.at_most())},
-      {"lower_proved", is_proved(loss.ends.lower)},
-      {"upper_proved", loss.fatal ? loss.proved() : is_proved(loss.ends.upper)},
-      {"proved", loss.proved()},
-      {"fatal", loss.fatal.has_value()},
-      {"lost", names_of(problem, loss.lost)},
-      {"target", answer::number_or_null(loss.target)},
-      {"reached", loss.reaches_target ? ordered_json(*loss.reaches_target) : ordered_json()},
-      {"undecided", loss.undecided}};
+  ordered_json json{{"eligible", loss.eligible},
+                    {"lower", answer::written(loss.ends.lower)},
+                    {"upper", answer::written(loss.ends.upper)},
+                    {"standing", answer::name_of(loss.standing)},
+                    {"fatal", loss.fatal.has_value()},
+                    {"lost", names_of(problem, loss.lost)},
+                    {"undecided", loss.undecided}};
   auto singles = ordered_json::array();
   for (const auto& single : loss.singles) {
     const bool finite = single.status == LoadStatus::collapses;
@@ -239,7 +233,10 @@ answer::MemberLoss member_loss(std::span<const LimitCase> cases, const std::vect
   answer.struts = with_struts(cases);
   answer.sudden = worst.sudden;
   answer.fatal = worst.fatal;
-  if (worst.fatal) return answer;
+  if (worst.fatal) {
+    if (worst.target && is_proved(*worst.fatal)) answer.reached = false;
+    return answer;
+  }
   answer.factor.upper = worst.ends.upper;
   double lower = std::numeric_limits<double>::infinity();
   bool reached = true;

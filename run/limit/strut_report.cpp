@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "answer/values.hpp"
+#include "answer/words.hpp"
 #include "problems/limit/utilisation.hpp"
 #include "run/limit/loss_report.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
@@ -34,27 +35,24 @@ std::vector<std::string> struts_at_strength(const LimitReport& report) {
   const double sudden = report.loss && report.loss->collapse ? report.loss->sudden : 1;
   const Eigen::VectorXd used = problems::utilisation(report.problem, sudden * collapse->forces);
   for (int i = 0; i < report.problem.member_count(); ++i) {
-    const bool strut = report.options.parameters.residual(i) < report.problem.compression(i);
+    const auto& residual = report.problem.members[static_cast<std::size_t>(i)].yield->residual;
+    const bool strut = residual && *residual < report.problem.compression(i);
     if (strut && collapse->forces(i) < 0 && used(i) >= at_strength)
       names.push_back(problems::member_name(report.problem, i));
   }
   return names;
 }
 
-bool at_no_factor(const LimitAnswer& answer) {
-  return answer.worst ? answer.worst->status == limit::RootStatus::not_carried
-                      : answer.status == limit::LoadStatus::not_carried;
-}
-
 // The factor after the worst loss of members, if that was requested.
 std::string remaining_text(const LimitAnswer& answer,
                            const std::optional<limit::LossAnswer>& loss) {
   if (loss && loss->fatal)
-    return loss->proved() ? "no load factor after a loss, proved" : "no load factor after a loss";
+    return fmt::format("no load factor after a loss, {}", answer::standing_word(*loss->fatal));
   if (loss) {
     return fmt::format("load factor {} after the worst loss", factor_text(loss->ends));
   }
-  if (at_no_factor(answer)) return answer.whole() ? "no load factor, proved" : "no load factor";
+  if (const auto standing = limit::at_no_factor(answer))
+    return fmt::format("no load factor, {}", answer::standing_word(*standing));
   const auto& worst = answer.worst;
   if (worst) return "load factor " + factor_text(worst->ends);
   if (!answer.nominal) return "open";
@@ -89,11 +87,9 @@ nlohmann::ordered_json strut_json(const LimitReport& report) {
       {"at_strength", struts_at_strength(report)},
       {"nominal", residual.nominal ? answer::number_or_null(residual.nominal->factor)
                                    : nlohmann::ordered_json()},
-      {"at_no_factor", at_no_factor(residual)}};
+      {"at_no_factor", limit::at_no_factor(residual).has_value()}};
   if (const auto& worst = residual.worst) {
-    json["lower"] = answer::number_or_null(worst->ends.at_least());
-    json["upper"] = answer::number_or_null(worst->ends.at_most());
-    json["proved"] = worst->proved();
+    json["worst_case"] = worst_case_json(*worst);
     json["guaranteed_interval"] = interval_json(guaranteed_interval(residual));
   }
   if (report.residual_loss)
@@ -102,16 +98,19 @@ nlohmann::ordered_json strut_json(const LimitReport& report) {
 }
 
 std::string strut_sentence(std::span<const LimitCase> cases) {
-  if (std::ranges::any_of(cases, [](const auto& each) { return at_no_factor(each.found.answer); }))
+  if (std::ranges::any_of(cases, [](const auto& each) {
+        return limit::at_no_factor(each.found.answer).has_value();
+      }))
     return {};
   constexpr const char* subject = "With all struts at their residual strength no load factor";
-  const auto sentence = [&](const char* predicate, bool proved) {
-    return fmt::format("{} {}{}.", subject, predicate, proved ? "" : " (not proved)");
+  const auto sentence = [&](const char* predicate, support::Standing standing) {
+    return fmt::format("{} {}{}.", subject, predicate, answer::unless_proved(standing));
   };
   for (const auto& each : cases) {
     const auto& [residual, loss] = std::tie(each.found.residual, each.found.residual_loss);
-    if (residual && at_no_factor(*residual)) return sentence("is carried", residual->whole());
-    if (loss && loss->fatal) return sentence("remains after the worst loss", loss->proved());
+    const auto none = residual ? limit::at_no_factor(*residual) : std::nullopt;
+    if (none) return sentence("is carried", *none);
+    if (loss && loss->fatal) return sentence("remains after the worst loss", *loss->fatal);
   }
   return {};
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "answer/values.hpp"
+#include "answer/words.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -30,8 +31,7 @@ std::string ends_text(const LimitZeroOne& zero_one) {
 
 std::string printed_ends_text(const LimitWorstCase& worst) {
   return fmt::format(
-      "  load factor {}: bounds of the 0-1 program (29) with {}, valid if its M is large enough "
-      "(not proved)\n",
+      "  load factor {}: bounds of the 0-1 program (29) with {}, valid if its M is large enough\n",
       ends_text(*worst.zero_one), m_text(*worst.zero_one));
 }
 
@@ -41,8 +41,8 @@ std::string zero_one_text(const LimitWorstCase& worst) {
   const auto out = std::back_inserter(text);
   const bool not_carried = worst.status == limit::RootStatus::not_carried;
   if (!worst.as_printed || not_carried) {
-    fmt::format_to(out, "  the 0-1 program (29) alone, {}: {} (not proved)\n", m_text(zero_one),
-                   ends_text(zero_one));
+    fmt::format_to(out, "  the 0-1 program (29) alone, {}: {}{}\n", m_text(zero_one),
+                   ends_text(zero_one), answer::unless_proved(support::Standing::computed));
   }
   if (is_refuted(worst)) {
     text += not_carried ? "  it is wrong: no M is large enough if a load is not carried\n"

@@ -151,9 +151,9 @@ void add_statistics(nlohmann::ordered_json& rank, const engine::RankStatistics& 
   rank["opened"] = statistics.opened;
   rank["peak_open"] = statistics.peak_open;
   rank["requests"] = statistics.requests;
-  rank["gifts_received"] = statistics.transfers_received;
-  rank["gifts_sent"] = statistics.transfers_sent;
-  rank["nodes_given"] = statistics.nodes_given;
+  rank["transfers_received"] = statistics.transfers_received;
+  rank["transfers_sent"] = statistics.transfers_sent;
+  rank["nodes_sent"] = statistics.nodes_given;
   rank["messages_sent"] = statistics.messages_sent;
   rank["idle_seconds"] = statistics.idle_seconds;
   rank["seconds"] = statistics.seconds;

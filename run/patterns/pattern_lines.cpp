@@ -94,10 +94,10 @@ void read_lines(const std::vector<std::string>& parts,
 }
 
 // The names of inactive candidates, which are known at the end only, before the state of a pattern.
-std::string at_rest_member(const problems::WedgedProblem& problem,
+std::string inactive_member(const problems::WedgedProblem& problem,
                            const support::IndexSet& inactive) {
   if (inactive.empty()) return {};
-  return fmt::format("\"at_rest\":{},", json_line(candidate_names(problem, inactive)));
+  return fmt::format("\"inactive\":{},", json_line(candidate_names(problem, inactive)));
 }
 
 }  // namespace
@@ -184,13 +184,13 @@ bool PatternLines::write(std::ostream& out, const std::string& head,
     sorter.add(fmt::format("{} {}", key_of(leaf, problem_.contact_names.size()), line_of(leaf)));
   }
   out << head << '\n';
-  const auto at_rest = at_rest_member(problem_, inactive);
+  const auto member = inactive_member(problem_, inactive);
   std::size_t number = 0;
   std::string text;
   sorter.each([&](std::string_view line) {
     text = line.substr(line.find(' ') + 1);
     // An unescaped quotation mark is not within a name.
-    if (!at_rest.empty()) text.insert(text.find(R"("state":)"), at_rest);
+    if (!member.empty()) text.insert(text.find(R"("state":)"), member);
     out << text << '\n';
     note_number(largest, text, ++number);
   });

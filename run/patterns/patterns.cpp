@@ -17,6 +17,7 @@
 #include "engine/node_record.hpp"
 #include "nodes/wedged/hold/load_program.hpp"
 #include "nodes/wedged/pattern_search.hpp"
+#include "nodes/wedged/relaxation/facets.hpp"
 #include "nodes/wedged/sweep/pattern_brackets.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "run/command/command_run.hpp"
@@ -34,11 +35,23 @@
 #include "run/session/time_limit.hpp"
 #include "run/wedged/configuration_grid.hpp"
 #include "run/wedged/contact_problem.hpp"
+#include "run/wedged/cuts_words.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "run/wedged/whole_state_json.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::run {
+
+const OptionWords<wedged::Branching>& branching_words() {
+  using wedged::Branching;
+  static const OptionWords<Branching> words{{"auto", Branching::automatic},
+                                            {"paper", Branching::product},
+                                            {"relative", Branching::relative},
+                                            {"deepest", Branching::deepest},
+                                            {"weighed", Branching::weighed}};
+  return words;
+}
+
 namespace {
 
 // True if one reference load is the load of the file: none is of a load case.
@@ -71,11 +84,8 @@ void report_memory(engine::AnalysisOptions& analysis_options) {
 
 class Patterns final : public Subcommand {
  public:
-  void describe(OptionTable& table) override {
-    table_ = &table;
-    options_.describe(table);
-  }
-  void check() const override { options_.check(*table_); }
+  void describe(OptionTable& table) override;
+  void check() const override;
   void read(CommandRun& run) override { options_.input.read(run); }
   void prepare(CommandRun& run) override;
   [[nodiscard]] std::string announcement(const std::string& ranks) const override;
@@ -86,9 +96,13 @@ class Patterns final : public Subcommand {
   std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
+  void describe_tree(OptionTable& table);
+  void describe_table(OptionTable& table);
+  void describe_limits(OptionTable& table);
   [[nodiscard]] std::uint64_t tree_fingerprint() const;
   [[nodiscard]] bool whole() const { return findings_->whole(); }
   void record_nodes(CommandRun& run);
+  [[nodiscard]] nlohmann::ordered_json head(const CommandRun& run) const;
   Step result_lines(CommandRun& run);
   [[nodiscard]] PatternsReport report() const;
   void end_certificate();
@@ -100,7 +114,7 @@ class Patterns final : public Subcommand {
   std::ostringstream node_records_;
   ContactProblem contact_;
   std::vector<double> friction_;
-  wedged::PatternParameters parameters_;
+  bool prove_ = false;
   std::optional<CertificateFile> certificate_;
   std::optional<PatternLines> lines_;
   std::optional<wedged::PatternFindings> findings_;
@@ -111,19 +125,156 @@ class Patterns final : public Subcommand {
   bool can_resume_ = false;  // a state is kept from which the search can be resumed
 };
 
+void Patterns::describe(OptionTable& table) {
+  table_ = &table;
+  table.problem(options_.input.file);
+  table.friction(options_.friction).swept();
+  describe_tree(table);
+  describe_table(table);
+  table.output();
+  table.lines(options_.lines,
+              "format of the result file: one object (json), or a line per pattern (jsonl), for "
+              "more than about 100,000 patterns. All ranks write the lines during the search, and "
+              "memory does not grow with their number; an object takes 5 kB of memory per pattern");
+  table.csv_of("patterns");
+  table.pictures(options_.vtu, "pattern", "patterns.pvd");
+  table.whole_states(
+      options_.whole, "patterns",
+      fmt::format("the first {} and the one with the largest margin", whole_unless_requested));
+  describe_limits(table);
+  table.file("--trace", options_.trace, Role::output, "timeline of all ranks, for ui.perfetto.dev");
+  table.file("--record", options_.record, Role::output,
+             "depth and CPU time of each node of a search in one process, from which kusabi bench "
+             "scaling --trace predicts the time on many ranks");
+  table.file("--certificate", options_.certificate, Role::evidence,
+             "certificate file, for kusabi verify");
+  table.flag("--exists", options_.parameters.exists,
+             "find one pattern, or prove that there is none. Large decoupled subproblems are first "
+             "searched without a tree");
+  table.prove(prove_, "test every node in exact arithmetic, as kusabi verify does");
+  table.quiet_and_serial();
+}
+
+void Patterns::describe_tree(OptionTable& table) {
+  using wedged::FacetBound;
+  // Lower limit: the digits of a double in a margin. Upper limit: larger values would leave nothing
+  // to find.
+  table.number("--tolerance", &options_.parameters.tree.tolerances.sign, between(1e-12, 1e-3),
+               "tolerance of margins: a node with |t*| up to this value is degenerate");
+  table.choice(
+      "--branching", options_.parameters.tree.branching, branching_words(),
+      "branching rule: largest u_n r_n (paper), largest u_n r_n relative to the "
+      "compliance (relative), largest decrease of the margins of both children (deepest), "
+      "a weighted mean of relative and deepest (weighed), or the rule whose sampled tree is "
+      "smallest (auto). The patterns are the same; the number of nodes differs");
+  table.choice(
+      "--cuts", options_.parameters.tree.tightening, cuts_words(),
+      "cuts from bounds of the reaction and the gap of each candidate, computed before the "
+      "search and added to every node: for constrained bodies with a large tree (auto), "
+      "never (none), or always (always)");
+  table.number(
+      "--probe", &options_.parameters.tree.probes, between(0, 1000),
+      "number of candidates that strong branching compares at each node. Strong branching gives "
+      "fewer nodes and a smaller certificate, but takes more time; 8 candidates are "
+      "enough");
+  table.choice("--method", options_.polyhedral, {{"cones", false}, {"polyhedral", true}},
+               "friction cones of the search: second-order cones (cones), or polyhedral cones that "
+               "contain them (polyhedral, Algorithm 5.8); the resulting patterns are then tested "
+               "with second-order cones");
+  Range even_facets = between(FacetBound::minimum, FacetBound::maximum);
+  even_facets.even = true;
+  table.number("--facets", &options_.facets, even_facets, "number of facets of each cone")
+      .needs("--method", "polyhedral");
+  table
+      .flag("--candidates", options_.list_candidates,
+            "list all patterns found with polyhedral cones, each with the result of its test")
+      .needs("--method", "polyhedral")
+      .varies();
+}
+
+// Order, groups and length of the table, and the order of the search.
+void Patterns::describe_table(OptionTable& table) {
+  table
+      .choice("--sort", options_.sort,
+              {{"number", PatternSort::number},
+               {"margin", PatternSort::margin},
+               {"contact", PatternSort::contact},
+               {"critical", PatternSort::critical}},
+              "order of the table: as found (number), largest margin first (margin), fewest "
+              "candidates in contact first (contact), or smallest critical friction coefficient "
+              "first (critical), which requires about ten cone programs per pattern")
+      .varies();
+  table
+      .number(
+          "--group", &options_.group, between(0, 1000),
+          "table with one row per group of patterns. Two patterns are in one group if their "
+          "contact sets differ in at most this number of candidates, or if a chain of such pairs "
+          "connects them. Groups are also in the result file. Default: no groups, but on a "
+          "terminal more than 40 patterns are grouped around those with the largest margins; 0 "
+          "lists all")
+      .varies();
+  table.top(options_.top);
+  // Order by the number of decided signs, see SignPatternTree::bound.
+  table
+      .choice("--order", options_.parameters.search.order,
+              {{"depth-first", engine::Order::depth_first},
+               {"breadth-first", engine::Order::best_first}},
+              "order in which nodes are opened. The patterns are the same; breadth-first requires "
+              "more memory")
+      .varies();
+}
+
+void Patterns::describe_limits(OptionTable& table) {
+  table.search_limits(options_.limits);
+  table
+      .number("--pattern-limit", &options_.limits.solutions, above(0),
+              "number of patterns after which the search ends; a few more may be found")
+      .stops(engine::Status::solution_limit)
+      .varies();
+  table.resume(options_.checkpoint);
+  table.former_names_of_resume();
+}
+
+void Patterns::check() const {
+  if (options_.lines) {
+    table_->check_lines({"--csv", "--vtu", "--whole", "--group", "--exists"});
+    if (options_.sort != PatternSort::number) table_->check_lines({"--sort"});
+  }
+  if (options_.parameters.exists && !options_.certificate.empty()) {
+    throw WrongInput(
+        "--certificate: --exists writes no certificate; expected --certificate without --exists, "
+        "or kusabi critical --certificate");
+  }
+  if (options_.parameters.exists && options_.sort == PatternSort::critical) {
+    throw WrongInput(
+        "--sort critical: --exists ends with one pattern; expected --sort critical without "
+        "--exists, or kusabi critical");
+  }
+  if (options_.parameters.tree.probes > 0 && options_.polyhedral)
+    throw WrongInput("--probe: requires --method cones");
+  const bool one_search_depth_first =
+      !options_.parameters.exists && options_.checkpoint.state.empty() &&
+      options_.parameters.search.order == engine::Order::depth_first;
+  if (!options_.record.empty() && !one_search_depth_first)
+    throw WrongInput(
+        "--record: is not possible with --exists, --resume or breadth-first order; "
+        "expected depth-first order and neither of the others");
+}
+
 // Fingerprint of the tree: a checkpoint belongs to a tree, which depends on friction and tolerance.
 std::uint64_t Patterns::tree_fingerprint() const {
   support::Fingerprint fingerprint;
   fingerprint.add(contact_.problem.provenance.fingerprint);
   fingerprint.add(options_.friction);
-  fingerprint.add(options_.tolerance);
-  fingerprint.add(static_cast<std::uint64_t>(options_.branching));
-  if (options_.tightening != wedged::Tightening::automatic)
-    fingerprint.add(static_cast<std::uint64_t>(options_.tightening));
-  fingerprint.add(static_cast<std::uint64_t>(options_.facets_in_use()));
-  if (options_.probes > 0) fingerprint.add(static_cast<std::uint64_t>(options_.probes));
-  if (options_.prove) fingerprint.add(std::string_view("prove"));
-  if (options_.exists) fingerprint.add(std::string_view("exists"));
+  const auto& tree = options_.parameters.tree;
+  fingerprint.add(tree.tolerances.sign);
+  fingerprint.add(static_cast<std::uint64_t>(tree.branching));
+  if (tree.tightening != wedged::Tightening::automatic)
+    fingerprint.add(static_cast<std::uint64_t>(tree.tightening));
+  fingerprint.add(static_cast<std::uint64_t>(tree.facets));
+  if (tree.probes > 0) fingerprint.add(static_cast<std::uint64_t>(tree.probes));
+  if (prove_) fingerprint.add(std::string_view("prove"));
+  if (options_.parameters.exists) fingerprint.add(std::string_view("exists"));
   return fingerprint.value();
 }
 
@@ -142,17 +293,12 @@ void Patterns::prepare(CommandRun& run) {
                     "polyhedral already; expected --method cones",
                     file));
   }
-  parameters_.tree = {.tolerances = {.sign = options_.tolerance},
-                      .branching = options_.branching,
-                      .tightening = options_.tightening,
-                      .probes = options_.probes,
-                      .facets = options_.facets_in_use(),
-                      .thorough = !options_.certificate.empty()};
-  parameters_.structure = &contact_.structure;
-  if (options_.prove) parameters_.proving = wedged::Proving::always;
-  parameters_.exists = options_.exists;
-  auto& search = parameters_.search;
-  search.order = options_.order;
+  auto& parameters = options_.parameters;
+  if (options_.polyhedral) parameters.tree.facets = options_.facets;
+  parameters.tree.thorough = !options_.certificate.empty();
+  parameters.structure = &contact_.structure;
+  if (prove_) parameters.proving = wedged::Proving::always;
+  auto& search = parameters.search;
   engine::Facts facts{{"the problem", hexadecimal(contact_.problem.provenance.fingerprint)}};
   if (loaded_)
     facts.emplace_back("the loads", hexadecimal(fingerprint_of_loads(contact_.structure)));
@@ -162,7 +308,7 @@ void Patterns::prepare(CommandRun& run) {
                        file, tree_fingerprint(), run.has_begun_to_search(),
                        options_.checkpoint.state);
   if (certificate_->wanted())
-    parameters_.recorder = [this](const auto& evidence) { certificate_->add(evidence); };
+    parameters.recorder = [this](const auto& evidence) { certificate_->add(evidence); };
   if (options_.lines) {
     if (loaded_) {
       unlimited_.emplace(run.session().transport());
@@ -176,7 +322,7 @@ void Patterns::prepare(CommandRun& run) {
                               .checkpoint = options_.checkpoint.state},
                    firmness_ ? &*firmness_ : nullptr, run.has_begun_to_search(),
                    run.has_searched());
-    parameters_.kept = [this](const auto& leaf) { lines_->add(leaf); };
+    parameters.kept = [this](const auto& leaf) { lines_->add(leaf); };
   }
   if (!options_.trace.empty()) search.trace_events = trace_events_per_rank(run.session().ranks());
   if (!options_.record.empty()) record_nodes(run);
@@ -188,7 +334,7 @@ void Patterns::record_nodes(CommandRun& run) {
     throw WrongInput(
         fmt::format("--record: the search has {} ranks; expected --serial", run.session().ranks()));
   }
-  parameters_.search.record = [this](std::size_t depth, double seconds) {
+  options_.parameters.search.record = [this](std::size_t depth, double seconds) {
     engine::write_node_record(node_records_, depth, seconds);
   };
 }
@@ -200,10 +346,10 @@ std::string Patterns::announcement(const std::string& ranks) const {
 
 void Patterns::search(CommandRun& run) {
   auto analysis_options = run.analysis_options(options_.limits);
-  if (analysis_options.watch && !options_.lines && !options_.exists)
+  if (analysis_options.watch && !options_.lines && !options_.parameters.exists)
     report_memory(analysis_options);
   engine::Analysis analysis(run.session().transport(), std::move(analysis_options));
-  findings_ = wedged::find_patterns(analysis, contact_.problem, friction_, parameters_);
+  findings_ = wedged::find_patterns(analysis, contact_.problem, friction_, options_.parameters);
   if (certificate_->wanted()) certificate_->close();
   if (lines_) lines_->close(*findings_);
   const bool sorted = options_.sort == PatternSort::critical;
@@ -234,7 +380,7 @@ void Patterns::end_certificate() {
 
 std::string Patterns::certificate_remark() const {
   if (whole()) return fmt::format("wrote {}", options_.certificate);
-  if (can_resume_) return fmt::format("the proofs so far are in {}.part.*", options_.certificate);
+  if (can_resume_) return fmt::format("the evidence so far is in {}.part.*", options_.certificate);
   return "no certificate was written, since the search ended early; --resume keeps its parts";
 }
 
@@ -255,10 +401,14 @@ void Patterns::draw(OutputFolder& folder, const WholeStates& states) const {
   series.finish("patterns.pvd", problem_line(contact_.problem));
 }
 
+nlohmann::ordered_json Patterns::head(const CommandRun& run) const {
+  return run.head(problem_json(contact_.structure, contact_.problem, options_.input.file));
+}
+
 Step Patterns::result_lines(CommandRun& run) {
   return run.result_lines(
-      [this](std::ostream& out) {
-        return lines_->write(out, report().head_line(contact_.structure), *findings_);
+      [this, head = head(run)](std::ostream& out) {
+        return lines_->write(out, report().head_line(head), *findings_);
       },
       [this] { lines_->end(can_resume_ && !whole()); });
 }
@@ -267,8 +417,8 @@ std::vector<Step> Patterns::results(CommandRun& run) {
   const auto report = std::make_shared<const PatternsReport>(this->report());
   can_resume_ = !options_.checkpoint.state.empty();
   const auto states = std::make_shared<const WholeStates>(contact_.structure, contact_.problem);
-  return {lines_ ? result_lines(run) : run.result([report, states](JsonWriter& json) {
-            report->write(json, WholeStateJson(*states));
+  return {lines_ ? result_lines(run) : run.result([this, report, states, &run](JsonWriter& json) {
+            report->write(json, head(run), WholeStateJson(*states));
           }),
           run.file("--csv", [report](std::ostream& out) { report->write_csv(out); }),
           run.folder("--vtu", [this, states](auto& folder) { draw(folder, *states); }),

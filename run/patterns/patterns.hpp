@@ -7,10 +7,9 @@
 #include <string>
 
 #include "engine/options.hpp"
-#include "nodes/wedged/relaxation/pattern_options.hpp"
+#include "nodes/wedged/pattern_search.hpp"
 #include "run/command/option_table.hpp"
 #include "run/command/problem_input.hpp"
-#include "solvers/conic/node_solver.hpp"
 
 namespace kusabi::run {
 
@@ -27,12 +26,9 @@ enum class PatternSort {
 
 struct PatternsOptions {
   ProblemInput input;
-  double friction = 0;                          ///< friction coefficient mu
-  double tolerance = conic::Tolerances{}.sign;  ///< margins |t*| up to this are degenerate
-  wedged::Tightening tightening = wedged::Tightening::automatic;  ///< use of cuts
-  wedged::Branching branching = wedged::Branching::automatic;     ///< choice of the branching
-                                                                  ///< candidate
-  int probes = 0;                ///< number of candidates for strong branching at each node
+  double friction = 0;  ///< friction coefficient mu
+  /// Of the search; complete after Subcommand::prepare().
+  wedged::PatternParameters parameters;
   bool polyhedral = false;       ///< Algorithm 5.8; otherwise Algorithm 5.1
   int facets = 16;               ///< facets of the polyhedral friction cones of Algorithm 5.8
   bool list_candidates = false;  ///< lists the candidates of Algorithm 5.8 in the table
@@ -41,29 +37,14 @@ struct PatternsOptions {
   /// groups on a terminal if the table would be long.
   int group = -1;
   std::uint64_t top = std::numeric_limits<std::uint64_t>::max();  ///< maximum number of rows
-  engine::Order order = engine::Order::depth_first;
-  engine::Limits limits;        ///< limits of the search
-  CheckpointChoice checkpoint;  ///< files of its state
-  std::string certificate;      ///< certificate file; empty: none
-  bool prove = false;           ///< exact test of every node
-  bool whole = false;           ///< whole state of every pattern in the result file
-  bool lines = false;           ///< result file with one line per pattern
-  bool exists = false;          ///< one pattern, or the proof that there is none, is enough
-
+  engine::Limits limits;                                          ///< limits of the search
+  CheckpointChoice checkpoint;                                    ///< files of its state
+  std::string certificate;                                        ///< certificate file; empty: none
+  bool whole = false;  ///< whole state of every pattern in the result file
+  bool lines = false;  ///< result file with one line per pattern
   std::string trace;   ///< timeline file; empty: none
   std::string record;  ///< file of the nodes, for bench scaling; empty: none
   std::string vtu;     ///< folder of pictures; empty: none
-
-  void describe(OptionTable& table);
-  /// @throws WrongInput for options that exclude each other
-  void check(const OptionTable& table) const;
-  /// Facets of polyhedral cones; 0: second-order cones.
-  [[nodiscard]] int facets_in_use() const { return polyhedral ? facets : 0; }
-
- private:
-  void describe_tree(OptionTable& table);
-  void describe_table(OptionTable& table);
-  void describe_limits(OptionTable& table);
 };
 
 }  // namespace kusabi::run

@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include <fmt/format.h>
 
-#include "answer/ending.hpp"
 #include "answer/values.hpp"
+#include "answer/words.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/patterns/pattern_lines.hpp"
 #include "run/wedged/configuration_csv.hpp"
-#include "run/wedged/cuts_words.hpp"
 #include "run/wedged/exact_json.hpp"
 #include "run/wedged/nearest_failure.hpp"
 #include "run/wedged/pattern_groups.hpp"
@@ -52,7 +52,7 @@ void add_firmness(CsvWriter& csv, const std::optional<wedged::Firmness>& firmnes
 const char* state_name(wedged::LeafState state) {
   switch (state) {
     case wedged::LeafState::feasible:
-      return "alive";
+      return "feasible";
     case wedged::LeafState::flat:
       return "flat";
     case wedged::LeafState::marginal:
@@ -78,36 +78,35 @@ ordered_json PatternsReport::candidates_json() const {
 
 answer::Verdict PatternsReport::verdict() const {
   // A pattern answers --exists; a search that is complete has listed all of them.
-  const bool example = options_.exists && findings_.count() != 0U &&
+  const bool example = options_.parameters.exists && findings_.count() != 0U &&
                        findings_.outcome.status == engine::Status::solution_limit;
   // Degenerate nodes and nodes of unconstrained bodies are classified by cut-offs unless the exact
   // test has decided them. An example does not depend on other nodes.
   const auto& exact = findings_.exact;
   const bool bounded = findings_.flat == 0 && (example || exact.unproved == 0);
-  const bool proved = exact.done ? !exact.is_open() && exact.unproved == 0
-                                 : bounded && problem_.modes.bodies.empty();
-  answer::Verdict verdict{
-      .ended = example ? engine::Status::solved : findings_.outcome.status,
-      .nodes_left = example ? 0 : findings_.outcome.open,
-      .answer = answer::Sticking{
-          .friction = options_.friction,
-          .factor = !problems::uniform_friction(problem_),
-          .count = findings_.count(),
-          .undecided = findings_.unresolved(),
-          .standing = proved ? support::Standing::proved : support::Standing::computed,
-          .grounds =
-              exact.done ? answer::Grounds::exact_arithmetic : answer::Grounds::solver_bounds,
-          .degenerate = exact.unproved,
-          .remainder = remainder_of(exact),
-          .displacement_ratio = exact.displacement_ratio,
-          .example = example}};
+  const bool proved = exact.done ? exact.proves() : bounded && problem_.modes.bodies.empty();
+  const answer::Sticking sticking{
+      .friction = options_.friction,
+      .factor = !problems::uniform_friction(problem_),
+      .count = findings_.count(),
+      .undecided = findings_.unresolved(),
+      .standing = support::proved_if(proved),
+      .grounds = exact.done ? answer::Grounds::exact_arithmetic : answer::Grounds::solver_bounds,
+      .degenerate = exact.unproved,
+      .remainder = remainder_of(exact),
+      .displacement_ratio = exact.displacement_ratio,
+      .example = example};
+  answer::Verdict verdict{.ended = example ? engine::Status::solved : findings_.outcome.status,
+                          .nodes_left = example ? 0 : findings_.outcome.open,
+                          .answer = sticking};
   if (auto text = largest_margin(); !text.empty()) verdict.details.push_back(std::move(text));
   if (!options_.certificate.empty() && findings_.whole() && exact.unproved > 0 && !exact.asked) {
-    verdict.missing.push_back(
-        fmt::format("The certificate does not prove {} with a margin of zero.",
-                    answer::counted(exact.unproved, "degenerate node")));
+    verdict.missing.push_back(answer::not_in_certificate(exact.unproved));
   }
   if (!firmness_.empty()) verdict.details.push_back(largest_load());
+  if (!brackets_.empty()) verdict.details.push_back(least_friction());
+  if (answer::is_known_to_stick(sticking))
+    verdict.details.push_back(answer::next_step(findings_.count() != 1U && brackets_.empty()));
   if (options_.sort == PatternSort::critical && brackets_.empty() && !findings_.leaves.empty()) {
     verdict.missing.emplace_back(
         "The coefficients from which the patterns stick (--sort critical) were not all computed; "
@@ -116,29 +115,63 @@ answer::Verdict PatternsReport::verdict() const {
   return verdict;
 }
 
-// The pattern with the largest margin, and its nearest inequality.
+// The pattern with the largest margin, or the only one known, and its nearest inequality.
 std::string PatternsReport::largest_margin() const {
   const auto& leaves = findings_.leaves;
   const bool listed = findings_.largest.empty();
   if (listed && leaves.empty()) return {};
   const auto& best = listed ? *this->best() : findings_.largest.front();
   const bool all = findings_.is_complete();
-  if (best.state == wedged::LeafState::flat) {
+  const bool flat = best.state == wedged::LeafState::flat;
+  if (!flat && best.state != wedged::LeafState::feasible) return {};
+  const auto number =
+      listed ? static_cast<std::size_t>(this->best() - leaves.begin()) + 1 : (*numbers_).front();
+  const auto contact =
+      contact_words(problem_, best.block, best.pattern.contact, best.pattern.inactive);
+  const bool one = findings_.count() == 1U;
+  const auto way = fmt::format("{} is {}", all ? "The only way" : "One way", contact);
+  if (flat && one) return way + ", without a margin: some inequality is an equality.";
+  if (flat) {
     return fmt::format("None{} has a margin: in each, some inequality is an equality.",
                        all ? "" : " of those known");
   }
-  if (best.state != wedged::LeafState::feasible) return {};
-  const auto number =
-      listed ? static_cast<std::size_t>(this->best() - leaves.begin()) + 1 : (*numbers_).front();
+  const auto name = number == 0 ? fmt::format("{} pattern", all ? "One" : "one")
+                                : fmt::format("{} {}", all ? "Pattern" : "pattern", number);
+  // Blocks have units of their own for gaps.
+  const auto head =
+      one ? fmt::format("{}, with a margin of {:.3g}.", way, best.lower)
+          : fmt::format("{}{} has the largest margin{}, {:.3g}, with {}.",
+                        all ? "" : "Of those known, ", name,
+                        findings_.blocks.size() > 1 ? " of its block" : "", best.lower, contact);
   const auto nearest = nearest_failure(problem_, options_.friction, best.block, best.pattern,
                                        best.reaction, best.displacement);
-  const auto name = number == 0 ? fmt::format("{} pattern", all ? "One" : "one")
-                                : fmt::format("{} {}", all ? "Number" : "number", number);
-  // Blocks have units of their own for gaps.
-  return fmt::format("{}{} has the largest margin{}, {:.3g} (in contact: {}). {}",
-                     all ? "" : "Of those known, ", name,
-                     findings_.blocks.size() > 1 ? " of its block" : "", best.lower,
-                     contact_text(problem_, best.pattern), nearest_failure_text(problem_, nearest));
+  return head + nearest_failure_text(problem_, nearest) + needed_friction(best, nearest.need);
+}
+
+// The coefficient that a configuration needs, which is not the least one of its pattern.
+std::string PatternsReport::needed_friction(const wedged::Configuration& configuration,
+                                            const FrictionNeed& need) const {
+  if (need.slips.empty()) return " This configuration needs no friction.";
+  const auto factor = answer::of_each_candidate(!problems::uniform_friction(problem_));
+  return fmt::format(
+      " This configuration needs a friction coefficient of at least {}{}, and with less, {}; "
+      "others "
+      "of the same pattern may need less.",
+      support::rounded_down(need.coefficient), factor,
+      slip_words(problem_, configuration.block, configuration.pattern.contact, need));
+}
+
+// The pattern that begins to stick with the least friction of all that are listed.
+std::string PatternsReport::least_friction() const {
+  const auto upper = [](const wedged::PatternBracket& each) {
+    return each.upper.value_or(std::numeric_limits<double>::infinity());
+  };
+  const auto first = std::ranges::min_element(brackets_, {}, upper);
+  if (!first->upper) return "From which coefficient on the patterns stick is not known.";
+  return fmt::format("Pattern {} sticks with the least friction of those listed, from {}{} on{}.",
+                     first - brackets_.begin() + 1, support::rounded_up(*first->upper),
+                     answer::of_each_candidate(!problems::uniform_friction(problem_)),
+                     answer::unless_proved(support::Standing::computed));
 }
 
 // The pattern that holds the largest factor, for each unit of its normal reactions. Patterns
@@ -182,7 +215,7 @@ std::string PatternsReport::details() const {
                  "\n{} of wedged configurations{} at friction coefficient {}; {} marginal "
                  "(|t*| <= {})\n",
                  patterns(count), known(count == 1U), friction_text(problem_, options_.friction),
-                 findings_.marginal, options_.tolerance);
+                 findings_.marginal, options_.parameters.tree.tolerances.sign);
   if (findings_.flat != 0) {
     fmt::format_to(out,
                    "{} of the list flat (t* = 0): in all their configurations some candidates are "
@@ -294,7 +327,7 @@ ordered_json PatternsReport::groups_json() const {
     auto members = ordered_json::array();
     for (const auto member : group.members) members.push_back(member + 1);
     list.push_back({{"patterns", std::move(members)},
-                    {"firmest", group.largest_margin + 1},
+                    {"largest_margin", group.largest_margin + 1},
                     {"contact", candidate_names(problem_, group.contact)},
                     {"varying", candidate_names(problem_, group.varying)}});
   }
@@ -314,8 +347,7 @@ ordered_json PatternsReport::result_json() const {
   tree["opened"] = findings_.outcome.opened();
   tree["open"] = findings_.outcome.open;
   tree["fingerprint"] = hexadecimal(findings_.outcome.fingerprint());
-  ordered_json result = {{"friction", options_.friction}, {"tolerance", options_.tolerance}};
-  answer::add_count(result, "count", findings_.count());
+  ordered_json result = {{"tolerance", options_.parameters.tree.tolerances.sign}};
   result["flat"] = findings_.flat;
   result["marginal"] = findings_.marginal;
   result["undecided"] = findings_.undecided;
@@ -326,30 +358,16 @@ ordered_json PatternsReport::result_json() const {
   return result;
 }
 
-void PatternsReport::write_result(JsonWriter& json, const WholeStateJson& whole) const {
+// @param answer first members of the result
+void PatternsReport::write_result(JsonWriter& json, ordered_json answer,
+                                  const WholeStateJson& whole) const {
   json.begin_object();
-  const auto head = result_json();
-  for (const auto& [key, value] : head.items()) json.member(key, value);
+  answer.update(result_json());
+  for (const auto& [key, value] : answer.items()) json.member(key, value);
   json.key("patterns");
   write_patterns(json, whole);
   if (options_.group > 0) json.member("groups", groups_json());
   json.end_object();
-}
-
-ordered_json PatternsReport::chosen_json() const {
-  ordered_json chosen = {
-      {"mu", options_.friction},
-      {"tolerance", options_.tolerance},
-      {"method", options_.polyhedral ? "polyhedral" : "cones"},
-      {"facets", options_.facets_in_use()},
-      {"branching", word_of(branching_words(), options_.branching)},
-      {"cuts", word_of(cuts_words(), options_.tightening)},
-      {"order", options_.order == engine::Order::depth_first ? "depth-first" : "breadth-first"}};
-  if (options_.probes > 0) chosen["probe"] = options_.probes;
-  if (options_.prove) chosen["prove"] = true;
-  if (options_.exists) chosen["exists"] = true;
-  if (options_.group > 0) chosen["group"] = options_.group;
-  return chosen;
 }
 
 ordered_json PatternsReport::statistics_json() const {
@@ -358,28 +376,19 @@ ordered_json PatternsReport::statistics_json() const {
           {"earlier_runs", rank_reports(outcome.earlier, counts_json<wedged::SignPatternTally>)}};
 }
 
-// Head of a result file: what is known without the list.
-ordered_json PatternsReport::head_json(const problems::Structure& structure) const {
-  return {{"command", "patterns"},
-          {"version", KUSABI_VERSION},
-          {"problem", problem_json(structure, problem_, options_.input.file)},
-          {"options", chosen_json()},
-          {"status", answer::status_text(verdict())}};
-}
-
-void PatternsReport::write(JsonWriter& json, const WholeStateJson& whole) const {
+void PatternsReport::write(JsonWriter& json, ordered_json head, const WholeStateJson& whole) const {
+  auto answer = std::move(head["result"]);
+  head.erase("result");
   json.begin_object();
-  const auto head = head_json(whole.structure());
   for (const auto& [key, value] : head.items()) json.member(key, value);
   json.key("result");
-  write_result(json, whole);
+  write_result(json, std::move(answer), whole);
   json.member("statistics", statistics_json());
   json.end_object();
 }
 
-std::string PatternsReport::head_line(const problems::Structure& structure) const {
-  auto head = head_json(structure);
-  head["result"] = result_json();
+std::string PatternsReport::head_line(ordered_json head) const {
+  head["result"].update(result_json());
   head["lines"] = "patterns";
   head["statistics"] = statistics_json();
   return json_line(head);

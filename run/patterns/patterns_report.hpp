@@ -18,6 +18,7 @@
 #include "run/output/json_writer.hpp"
 #include "run/output/terminal_page.hpp"
 #include "run/patterns/patterns.hpp"
+#include "run/wedged/contact_words.hpp"
 #include "run/wedged/whole_state_json.hpp"
 
 namespace kusabi::run {
@@ -50,11 +51,11 @@ class PatternsReport {
   [[nodiscard]] std::string table() const;
 
   /// The result file; its schema is in docs/result-files.md. One pattern at a time is in memory.
-  /// @param whole of the same structure
-  void write(JsonWriter& json, const WholeStateJson& whole) const;
+  /// @param head its first members @param whole of the same structure
+  void write(JsonWriter& json, nlohmann::ordered_json head, const WholeStateJson& whole) const;
 
-  /// First line of a result file with one line per pattern.
-  [[nodiscard]] std::string head_line(const problems::Structure& structure) const;
+  /// First line of a result file with one line per pattern. @param head its first members
+  [[nodiscard]] std::string head_line(nlohmann::ordered_json head) const;
 
   /// One row per pattern, in the order of the result file.
   void write_csv(std::ostream& out) const;
@@ -75,17 +76,19 @@ class PatternsReport {
     return std::ranges::max_element(findings_.leaves, {}, &wedged::Configuration::lower);
   }
   [[nodiscard]] std::string largest_margin() const;
+  [[nodiscard]] std::string needed_friction(const wedged::Configuration& configuration,
+                                            const FrictionNeed& need) const;
+  [[nodiscard]] std::string least_friction() const;
   [[nodiscard]] std::string largest_load() const;
   /// Sentences below the headline.
   [[nodiscard]] std::string details() const;
   [[nodiscard]] nlohmann::ordered_json result_json() const;
   [[nodiscard]] nlohmann::ordered_json statistics_json() const;
-  [[nodiscard]] nlohmann::ordered_json head_json(const problems::Structure& structure) const;
   /// Rows of the patterns with the largest margins, if the list is in a file of lines.
   [[nodiscard]] std::string largest() const;
-  void write_result(JsonWriter& json, const WholeStateJson& whole) const;
+  void write_result(JsonWriter& json, nlohmann::ordered_json answer,
+                    const WholeStateJson& whole) const;
   void write_patterns(JsonWriter& json, const WholeStateJson& whole) const;
-  [[nodiscard]] nlohmann::ordered_json chosen_json() const;
   [[nodiscard]] nlohmann::ordered_json groups_json() const;
   [[nodiscard]] std::string candidates() const;
   [[nodiscard]] nlohmann::ordered_json candidates_json() const;

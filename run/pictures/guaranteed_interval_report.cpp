@@ -5,7 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "answer/values.hpp"
+#include "answer/fields.hpp"
+#include "answer/words.hpp"
 #include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
@@ -14,17 +15,6 @@ namespace {
 using limit::GuaranteedInterval;
 using nlohmann::ordered_json;
 
-ordered_json bracket_json(const support::Bracket& bracket) {
-  return {{"lower", answer::number_or_null(bracket.at_least())},
-          {"upper", answer::number_or_null(bracket.at_most())},
-          {"lower_proved", is_proved(bracket.lower)},
-          {"upper_proved", is_proved(bracket.upper)}};
-}
-
-const char* proved_word(support::Standing standing) {
-  return is_proved(standing) ? "proved" : "not proved";
-}
-
 }  // namespace
 
 std::string factor_text(const support::Bracket& factor) {
@@ -32,29 +22,30 @@ std::string factor_text(const support::Bracket& factor) {
   if (lower && upper) {
     const auto shown = support::in_table(lower->value, upper->value);
     if (lower->standing == upper->standing)
-      return fmt::format("{} ... {}, {}", shown.lower, shown.upper, proved_word(lower->standing));
-    return fmt::format("{} ({}) ... {} ({})", shown.lower, proved_word(lower->standing),
-                       shown.upper, proved_word(upper->standing));
+      return fmt::format("{} ... {}, {}", shown.lower, shown.upper,
+                         answer::standing_word(lower->standing));
+    return fmt::format("{} ({}) ... {} ({})", shown.lower, answer::standing_word(lower->standing),
+                       shown.upper, answer::standing_word(upper->standing));
   }
   if (lower)
     return fmt::format("at least {}, {}; open above",
                        support::rounded_down(lower->value, support::digits_of_table),
-                       proved_word(lower->standing));
+                       answer::standing_word(lower->standing));
   if (upper)
     return fmt::format("at most {}, {}; open below",
                        support::rounded_up(upper->value, support::digits_of_table),
-                       proved_word(upper->standing));
+                       answer::standing_word(upper->standing));
   return "open";
 }
 
 std::string interval_text(const GuaranteedInterval& interval, std::string_view loads) {
-  const auto proved = proved_word(interval.standing());
-  if (interval.is_empty()) return fmt::format("no factor is carried{}, {}", loads, proved);
+  const auto* const standing = answer::standing_word(interval.standing());
+  if (interval.is_empty()) return fmt::format("no factor is carried{}, {}", loads, standing);
   const auto& [minimum, largest, at_none] = interval;
   if (interval.has_factors()) {
     const auto [low, high] =
         support::inside(minimum.at_most(), largest.at_least(), support::digits_of_table);
-    return fmt::format("factors {} ... {} are carried{}, {}", low, high, loads, proved);
+    return fmt::format("factors {} ... {} are carried{}, {}", low, high, loads, standing);
   }
   const std::string unknown = "unknown";
   return fmt::format(
@@ -67,8 +58,15 @@ std::string interval_text(const GuaranteedInterval& interval, std::string_view l
 
 std::string passed_text(const GuaranteedInterval& interval) {
   const auto passed = interval.passed();
-  const char* const answer = !passed ? "open" : *passed ? "passed, proved" : "not passed, proved";
-  return fmt::format("every load factor from 0 to 1: {}", answer);
+  if (!passed) return "every load factor from 0 to 1: open";
+  return fmt::format("every load factor from 0 to 1: {}passed, {}", *passed ? "" : "not ",
+                     answer::standing_word(support::Standing::proved));
+}
+
+ordered_json worst_case_json(const limit::LimitWorstCase& worst) {
+  auto json = answer::written(worst.ends);
+  json["standing"] = answer::name_of(worst.standing);
+  return json;
 }
 
 ordered_json interval_json(const GuaranteedInterval& interval) {
@@ -77,11 +75,11 @@ ordered_json interval_json(const GuaranteedInterval& interval) {
     if (interval.has_factors()) return false;
     return {};
   };
-  return {{"lower", bracket_json(interval.minimum)},
-          {"upper", bracket_json(interval.largest)},
+  return {{"lower", answer::written(interval.minimum)},
+          {"upper", answer::written(interval.largest)},
           {"empty", known()},
           {"passed", interval.passed() ? ordered_json(*interval.passed()) : ordered_json()},
-          {"proved", is_proved(interval.standing())}};
+          {"standing", answer::name_of(interval.standing())}};
 }
 
 }  // namespace kusabi::run

@@ -21,6 +21,9 @@ std::string interval_text(const limit::GuaranteedInterval& interval, std::string
 /// Statement on the design load at every stage of loading, without a line end.
 std::string passed_text(const limit::GuaranteedInterval& interval);
 
+/// The bounds of a worst case, and the standing of both together.
+nlohmann::ordered_json worst_case_json(const limit::LimitWorstCase& worst);
+
 /// The key `guaranteed_interval` of a result (docs/result-files.md).
 nlohmann::ordered_json interval_json(const limit::GuaranteedInterval& interval);
 

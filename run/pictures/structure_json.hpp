@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/structure.hpp"
 
 namespace kusabi::run {
@@ -16,5 +18,12 @@ nlohmann::ordered_json structure_json(const problems::Structure& structure);
 
 /// Elements in the order of the result file, shape by shape: their indices in the structure.
 std::vector<std::size_t> listed_elements(const problems::Structure& structure);
+
+/// The member `problem` of limit analysis: sizes, units, uncertain loads and structure (docs/result-files.md).
+/// @param truss structure of `problem`
+/// @param file its name in the call
+nlohmann::ordered_json limit_problem_json(const problems::LimitProblem& problem,
+                                          const problems::Structure& truss,
+                                          const std::string& file);
 
 }  // namespace kusabi::run

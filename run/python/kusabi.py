@@ -98,8 +98,8 @@ class Result(dict):
     def rows(self, of=None):
         """Table of the answer as a list of dicts with the names of the result file: one row per
         pattern (`patterns`, `critical`, `sweep` of friction), interval of load factors (`hold`,
-        with `mu` first if there are several) or piece of its diagram, ray, member (`limit`), point (`sweep` of loads), or nonzero column
-        of the program (`mip`).
+        with `friction` first if there are several coefficients) or piece of its diagram, ray,
+        member (`limit`), point (`sweep` of loads), or nonzero column of the program (`mip`).
 
         of: name of another list of the answer, such as "staircase" of `sweep`, "groups" of
         `patterns`.
@@ -328,8 +328,8 @@ def _list(answer, name):
 def _intervals(result):
     answer = result.answer
     if "points" in answer:
-        return [{"mu": point["mu"], **each} for point in answer["points"] for each in point["intervals"]]
-    return (answer["diagram"]["pieces"] if "diagram" in answer else answer["intervals"]) or []
+        return [{"friction": point["friction"], **each} for point in answer["points"] for each in point["intervals"]]
+    return answer.get("pieces", answer.get("intervals", []))
 
 
 def _rays(result):

@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "answer/words.hpp"
 #include "engine/signals.hpp"
 #include "nodes/wedged/exact_list.hpp"
 #include "nodes/wedged/rays/ray_list_tree.hpp"
@@ -226,18 +227,20 @@ std::vector<Step> Rays::results(CommandRun& run) {
   const auto states = std::make_shared<const WholeStates>(contact_.structure, contact_.problem);
   const auto report =
       std::make_shared<RaysReport>(options_, *states, *cone_, found_, exact_, CommandRun::page());
+  const auto head =
+      run.head(problem_json(contact_.structure, contact_.problem, options_.input.file));
   if (lines_) {
     return {run.result_lines(
-                [this, report, states](std::ostream& out) {
-                  return lines_->write(out, report->head_line());
+                [this, report, states, head](std::ostream& out) {
+                  return lines_->write(out, report->head_line(head));
                 },
                 [this] { lines_->end(!options_.checkpoint.state.empty() && !answered()); }),
             run.answer([report, states] { return report->summary(); })};
   }
   // Table, CSV and JSON are written in one pass over the rays, whose numbers are computed once.
   const auto table = std::make_shared<std::ostringstream>();
-  const auto write = [&run, report, table, states](JsonWriter* json) {
-    report->write(run.quiet() ? nullptr : table.get(),
+  const auto write = [&run, report, table, states, head](JsonWriter* json) {
+    report->write(head, run.quiet() ? nullptr : table.get(),
                   run.wants("--csv") ? &run.stream("--csv") : nullptr, json);
   };
   return {run.wants("--output") ? run.result([write](JsonWriter& json) { write(&json); })
@@ -249,14 +252,22 @@ std::vector<Step> Rays::results(CommandRun& run) {
 }
 
 answer::Verdict Rays::verdict() const {
-  return {.ended = found_.status,
-          .answer = answer::Sticking{.thing = "extremal ray",
-                                     .friction = options_.friction,
-                                     .factor = !uniform_friction(contact_.problem),
-                                     .count = found_.count(),
-                                     .standing = support::Standing::computed,
-                                     .ambiguous = !found_.health.sound(),
-                                     .remainder = remainder_of(exact_)}};
+  // Without a cone there is no ray.
+  const bool none = exact_.cones == 0U && found_.count() == 0;
+  const answer::Sticking sticking{
+      .thing = "extremal ray",
+      .friction = options_.friction,
+      .factor = !uniform_friction(contact_.problem),
+      .count = found_.count(),
+      .standing = support::proved_if(none),
+      .grounds = none ? answer::Grounds::exact_arithmetic : answer::Grounds::solver_bounds,
+      .ambiguous = !found_.health.sound(),
+      .proved_cones = exact_.cones,
+      .remainder = remainder_of(exact_),
+      .displacement_ratio = exact_.displacement_ratio};
+  answer::Verdict verdict{.ended = found_.status, .answer = sticking};
+  if (answer::is_known_to_stick(sticking)) verdict.details.push_back(answer::next_step(false));
+  return verdict;
 }
 
 double Rays::seconds_to_write(std::uint64_t solutions) const {

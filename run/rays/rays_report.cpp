@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "answer/values.hpp"
+#include "answer/words.hpp"
 #include "run/output/csv.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
@@ -23,7 +24,6 @@ namespace kusabi::run {
 namespace {
 
 using nlohmann::ordered_json;
-using wedged::RayMethod;
 
 /// Maximum number of rays or cones in the table; --output and --csv contain all.
 constexpr std::size_t longest_table = 60;
@@ -40,25 +40,24 @@ ordered_json tree_json(const wedged::RayTreeReport& report) {
   return tree;
 }
 
-// Costs of the run.
+// Method and costs of the run.
 ordered_json statistics_json(const wedged::RayFindings& found) {
+  ordered_json statistics{
+      {"method", found.method == wedged::RayMethod::tree ? "tree" : "double-description"}};
   if (found.tree) {
-    return {{"ranks", rank_reports(found.tree->ranks, [](const auto& tally) {
-               auto own = counts_json(tally.patterns);
-               own.update(cost_json(tally.cost));
-               return own;
-             })}};
+    statistics["ranks"] = rank_reports(found.tree->ranks, [](const auto& tally) {
+      auto own = counts_json(tally.patterns);
+      own.update(cost_json(tally.cost));
+      return own;
+    });
+  } else {
+    statistics.update(cost_json(found.cost));
+    statistics["seconds"] = found.seconds;
   }
-  auto statistics = cost_json(found.cost);
-  statistics["seconds"] = found.seconds;
   return statistics;
 }
 
 }  // namespace
-
-std::string method_name(RayMethod method) {
-  return method == RayMethod::tree ? "tree" : "double-description";
-}
 
 std::string RaysReport::states(std::size_t number) const {
   std::string letters;
@@ -66,7 +65,8 @@ std::string RaysReport::states(std::size_t number) const {
   return letters;
 }
 
-void RaysReport::write(std::ostream* table, std::ostream* csv, JsonWriter* json) {
+void RaysReport::write(ordered_json head, std::ostream* table, std::ostream* csv,
+                       JsonWriter* json) {
   if (table != nullptr && !found_.rays.empty()) {
     *table << fmt::format("\n{:>7}  {}\n", "", fmt::join(problem_.contact_names, "  "));
     *table << "        x sticks   + slides, r_t = mu r_n   - slides, r_t = -mu r_n   o separates   "
@@ -74,7 +74,7 @@ void RaysReport::write(std::ostream* table, std::ostream* csv, JsonWriter* json)
   }
   std::optional<CsvWriter> rows;
   if (csv != nullptr) begin(rows.emplace(*csv));
-  if (json != nullptr) begin(*json);
+  if (json != nullptr) begin(*json, std::move(head));
   for (std::size_t at = 0; at < found_.rays.size(); ++at) {
     const rays::Ray ray = cone_.ray(found_.rays[at], found_.health);
     if (table != nullptr && at < longest_table) *table << ray_lines(at, ray);
@@ -85,9 +85,8 @@ void RaysReport::write(std::ostream* table, std::ostream* csv, JsonWriter* json)
   if (table != nullptr) *table << summary();
 }
 
-std::string RaysReport::head_line() {
-  auto head = head_json();
-  head["result"] = first_members();
+std::string RaysReport::head_line(ordered_json head) {
+  head["result"].update(tree_member());
   head["result"].update(last_members());
   head["lines"] = "rays";
   head["statistics"] = statistics_json(found_);
@@ -153,17 +152,20 @@ std::string RaysReport::summary() const {
   }
   // The cones follow from all rays.
   const bool whole = found_.status == engine::Status::solved;
-  fmt::format_to(
-      out, "\n{}{}{} at friction coefficient {}, by {}\n",
-      answer::counted(found_.count(), "extremal ray"),
-      problem_.modes.bodies.empty()
-          ? ""
-          : fmt::format(" and {} without reactions",
-                        answer::counted(found_.motions.size(), "extremal motion")),
-      whole ? " in " + answer::counted(found_.cones.size(), "maximal cone")
-            : std::string(found_.count() == 1 ? " is known" : " are known"),
-      friction_text(problem_, options_.friction),
-      found_.method == RayMethod::tree ? "the tree of sign patterns" : "double description");
+  fmt::format_to(out, "\n{}{}{} at friction coefficient {}, by {}\n",
+                 answer::counted(found_.count(), "extremal ray"),
+                 problem_.modes.bodies.empty()
+                     ? ""
+                     : fmt::format(" and {} without reactions",
+                                   answer::counted(found_.motions.size(), "extremal motion")),
+                 whole ? " in " + answer::counted(found_.cones.size(), "maximal cone") +
+                             (exact_.cones ? fmt::format(" ({})", answer::standing_word(
+                                                                      support::Standing::proved))
+                                           : "")
+                       : std::string(found_.count() == 1 ? " is known" : " are known"),
+                 friction_text(problem_, options_.friction),
+                 found_.method == wedged::RayMethod::tree ? "the tree of sign patterns"
+                                                          : "double description");
   fmt::format_to(out,
                  "relative displacements up to {:.1e} are regarded as zero; the smallest other is "
                  "{:.1e} (tolerance {})\n",
@@ -171,20 +173,10 @@ std::string RaysReport::summary() const {
   return text;
 }
 
-// Members of the result file before those of the result.
-ordered_json RaysReport::head_json() const {
-  return {{"command", "rays"},
-          {"version", KUSABI_VERSION},
-          {"problem", problem_json(whole_.structure(), problem_, options_.input.file)},
-          {"options", {{"mu", options_.friction}, {"method", method_name(found_.method)}}},
-          {"status", answer::status_name(found_.status)}};
-}
-
-// Members of the result before its rays.
-ordered_json RaysReport::first_members() const {
-  ordered_json members{{"friction", options_.friction}, {"count", found_.count()}};
-  if (found_.tree) members["tree"] = tree_json(*found_.tree);
-  return members;
+ordered_json RaysReport::tree_member() const {
+  auto member = ordered_json::object();
+  if (found_.tree) member["tree"] = tree_json(*found_.tree);
+  return member;
 }
 
 // Members of the result after its rays and cones. The numerical health includes the numbers of the
@@ -195,7 +187,7 @@ ordered_json RaysReport::end_members() const {
            {{"tolerance", rays::zero_tolerance},
             {"largest_zero", health.largest_zero},
             {"smallest_nonzero", health.smallest_nonzero},
-            {"doubtful", health.undecided}}},
+            {"undecided", health.undecided}}},
           {"exact", exact_json(exact_)}};
 }
 
@@ -213,13 +205,14 @@ ordered_json RaysReport::last_members() {
   return members;
 }
 
-void RaysReport::begin(JsonWriter& json) const {
+void RaysReport::begin(JsonWriter& json, ordered_json head) const {
+  auto first = std::move(head["result"]);
+  head.erase("result");
+  first.update(tree_member());
   json.begin_object();
-  const auto head = head_json();
   for (const auto& [key, value] : head.items()) json.member(key, value);
   json.key("result");
   json.begin_object();
-  const auto first = first_members();
   for (const auto& [key, value] : first.items()) json.member(key, value);
   json.key("rays");
   json.begin_list();

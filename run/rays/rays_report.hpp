@@ -21,9 +21,6 @@
 
 namespace kusabi::run {
 
-/// "double-description" or "tree".
-std::string method_name(wedged::RayMethod method);
-
 /// Maximum number of rays in the graph.
 inline constexpr std::size_t max_drawn_rays = 200;
 
@@ -42,10 +39,12 @@ class RaysReport {
 
   /// Computes the numbers of all rays, and writes them to those of `table`, `csv` and `json` that
   /// are not null. `found` includes the numerical health of the numbers afterwards.
-  void write(std::ostream* table, std::ostream* csv, JsonWriter* json);
+  /// @param head first members of the result file
+  void write(nlohmann::ordered_json head, std::ostream* table, std::ostream* csv, JsonWriter* json);
 
   /// The head of a result in lines: all but the rays, with cones that do not name their rays.
-  [[nodiscard]] std::string head_line();
+  /// @param head its first members
+  [[nodiscard]] std::string head_line(nlohmann::ordered_json head);
 
   /// Last lines of the table: cones, counts, numerical health, and the answer.
   [[nodiscard]] std::string summary() const;
@@ -62,11 +61,11 @@ class RaysReport {
   }
   [[nodiscard]] std::string states(std::size_t number) const;
   [[nodiscard]] std::string cell_of_count(const rays::Cone& cone) const;
-  [[nodiscard]] nlohmann::ordered_json head_json() const;
-  [[nodiscard]] nlohmann::ordered_json first_members() const;
+  [[nodiscard]] nlohmann::ordered_json tree_member() const;
   [[nodiscard]] nlohmann::ordered_json last_members();
   [[nodiscard]] nlohmann::ordered_json end_members() const;
-  void begin(JsonWriter& json) const;       // up to the list of rays, which stays open
+  // Up to the list of rays, which stays open.
+  void begin(JsonWriter& json, nlohmann::ordered_json head) const;
   void end_rays_and_all(JsonWriter& json);  // from the end of the list of rays
   [[nodiscard]] nlohmann::ordered_json ray_json(std::size_t number, const rays::Ray& ray) const;
   [[nodiscard]] nlohmann::ordered_json motion_json(std::size_t number);

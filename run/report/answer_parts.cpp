@@ -12,7 +12,8 @@ using pictures::Markup;
 std::string title_of(const AnswerList& list, const Answer& answer) {
   auto thing = list.things.substr(0, list.things.size() - 1);
   thing.front() = static_cast<char>(thing.front() - 'a' + 'A');
-  return fmt::format("{} {}", thing, answer.number);
+  return fmt::format("{} {}{}", thing, answer.number,
+                     answer.load_factor ? ' ' + under_factor(*answer.load_factor) : "");
 }
 
 void open_answer(Markup& page, std::string_view tag, std::string_view kind, const Answer& answer,
@@ -55,7 +56,7 @@ void add_terms(Markup& page, const AnswerList& list, const Answer& answer) {
     page.close();
   }
   if (answer.needed) {
-    page.element("dt", "needs μ").open("dd", {{"class", "needed"}});
+    page.element("dt", "reactions need μ").open("dd", {{"class", "needed"}});
     const ResultJson needed(*answer.needed);
     add_number(page, &needed, few_digits);
     page.close();

@@ -25,7 +25,7 @@ void read_states(const ResultReader& reader, const ResultJson& ray, Answer& answ
 }
 
 std::string in_words(const std::string& state) {
-  if (state == "alive") return {};
+  if (state == "feasible") return {};
   if (state == "flat") return "some candidates are inactive";
   if (state == "marginal" || state == "undecided") return "numerically undecided";
   return state;
@@ -34,8 +34,8 @@ std::string in_words(const std::string& state) {
 void read_sets(const ResultReader& reader, const ResultJson& pattern, Answer& answer) {
   answer.contact = reader.names(pattern, "contact");
   answer.separated = reader.names(pattern, "separated");
-  if (ResultReader::find(pattern, "at_rest") != nullptr)
-    answer.inactive = reader.names(pattern, "at_rest");
+  if (ResultReader::find(pattern, "inactive") != nullptr)
+    answer.inactive = reader.names(pattern, "inactive");
   if (ResultReader::find(pattern, "state") != nullptr)
     answer.state = in_words(reader.text(pattern, "state"));
 }
@@ -79,14 +79,23 @@ std::vector<Answer> states(const ResultReader& reader) {
     Answer answer{};
     answer.number = all.size() + 1;
     read_sets(reader, reader.at(*entry, "pattern"), answer);
-    for (const char* const key : {"lower", "upper", "low", "high"}) {
-      const auto* const value = ResultReader::find(*entry, key);
-      if (value == nullptr || !value->is_number()) continue;
-      answer.numbers.emplace_back(key, value);
-      if (key == std::string_view("upper")) answer.order = value->get<double>();
+    const auto add = [&](const char* key, const ResultJson* value) {
+      if (value != nullptr) answer.numbers.emplace_back(key, value);
+    };
+    if (ResultReader::find(*entry, "below") != nullptr) {
+      const auto [low, high] = held_ends(reader, *entry);
+      add("low", low);
+      add("high", high);
+    } else {
+      const auto* const upper = reader.bound_value(*entry, "upper");
+      add("lower", reader.bound_value(*entry, "lower"));
+      add("upper", upper);
+      if (upper != nullptr) answer.order = upper->get<double>();
     }
+    const auto& state = reader.at(*entry, "state");
+    answer.load_factor = reader.number(state, "factor");
     std::vector<std::pair<std::string, double>> needs;
-    for (const auto& [name, value] : reader.at(reader.at(*entry, "state"), "reactions").items()) {
+    for (const auto& [name, value] : reader.at(state, "reactions").items()) {
       const Eigen::Vector3d force = reader.vector(value, d);
       const double cone = friction[name] * force.x();
       needs.emplace_back(name, cone > 0 ? force.tail<2>().norm() / cone : 0);

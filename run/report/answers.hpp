@@ -20,6 +20,7 @@ struct Answer {
   std::string state;  ///< in words; empty: it holds, or the file does not say
   /// Named numbers: margin, or lower and upper bound. Null: unknown.
   std::vector<std::pair<std::string, const ResultJson*>> numbers;
+  std::optional<double> load_factor;       ///< of a state under load
   std::optional<double> order;             ///< margin or upper bound, for sorting
   std::optional<double> needed;            ///< friction coefficient that its reactions need
   std::vector<std::string> slips;          ///< candidates that slip at this coefficient

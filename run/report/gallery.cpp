@@ -148,7 +148,7 @@ class Gallery {
     };
     column("number"), column("in contact"), column("separated");
     for (const auto& [key, value] : list_.answers.front().numbers) column(meaning(list_, key));
-    column("needs μ");
+    column("reactions need μ");
     page_.close().close().open("tbody", {{"class", "sorted"}});
     for (const auto i : list_.order) row(i);
     page_.close().close().close();
@@ -187,6 +187,19 @@ class Gallery {
 
 }  // namespace
 
+namespace {
+
+// Names of the contact candidates; a truss under loads has none.
+std::vector<std::string> candidates(const ResultReader& reader) {
+  std::vector<std::string> names;
+  if (const auto* const list = ResultReader::find(reader.at(reader.all(), "problem"), "contact")) {
+    for (const auto& each : *list) names.push_back(reader.text(each, "node"));
+  }
+  return names;
+}
+
+}  // namespace
+
 AnswerList answer_list(const ResultReader& reader) {
   static_cast<void>(reader.at(reader.all(), "problem"));  // the first that another file lacks
   const auto command = reader.text(reader.all(), "command");
@@ -197,7 +210,7 @@ AnswerList answer_list(const ResultReader& reader) {
                   .answers = answers(reader),
                   .order = {},
                   .groups = {},
-                  .names = ShortNames(reader)};
+                  .names = ShortNames(candidates(reader))};
   list.order = by_rank(reader, list.answers);
   list.groups = answer_groups(list.answers, list.order, max_groups);
   return list;

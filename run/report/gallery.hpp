@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "pictures/html/markup.hpp"
+#include "run/output/short_names.hpp"
 #include "run/report/answer_groups.hpp"
 #include "run/report/answers.hpp"
-#include "run/report/short_names.hpp"
 
 namespace kusabi::run {
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "answer/words.hpp"
 #include "pictures/svg/inline_picture.hpp"
 #include "run/report/facts.hpp"
 #include "run/results/alpha_unit.hpp"
@@ -44,25 +45,28 @@ class LimitSection {
   // "Collapse after the worst loss known, load case b, λ = 0.5".
   [[nodiscard]] std::string heading(const pictures::Scene& scene, bool loss) const {
     const auto* const load_case = ResultReader::find(result_, "case");
-    const bool proved = loss && reader_.at(reader_.at(result_, "member_loss"), "proved") == true;
+    const bool proved = loss && reader_.text(reader_.at(result_, "member_loss"), "standing") ==
+                                    answer::standing_word(support::Standing::proved);
     return fmt::format("Collapse {} the {}{}{}, {}", loss ? "after" : "under", scene.name,
                        loss && !proved ? " known" : "",
                        load_case == nullptr ? "" : ", load case " + load_case->get<std::string>(),
                        scene.note);
   }
 
-  // A large picture, and the members that yield beside it.
+  // A large picture with its legend, and the members that yield beside it.
   void collapse(const pictures::Scene& scene) {
     const bool worst = scene.name == "worst case";
     const bool loss = scene.name == "worst loss";
+    const std::string id = loss ? "collapse-loss" : worst ? "collapse-worst" : "collapse-nominal";
+    const auto& units = reader_.at(problem_, "units");
     page_.element("h3", heading(scene, loss));
     page_.open("div", {{"class", "beside"}}).open("figure");
     page_.verbatim(inline_svg(
-        {loss    ? "collapse-loss"
-         : worst ? "collapse-worst"
-                 : "collapse-nominal",
-         "Collapse mode, " + scene.name, "The structure at collapse, " + scene.note, true},
+        {id, "Collapse mode, " + scene.name, "The structure at collapse, " + scene.note, true},
         scene));
+    page_.verbatim(inline_legend(
+        {id + "-legend", "Legend", "Legend of the picture."},
+        legend(scene, {reader_.text(units, "length"), reader_.text(units, "force")})));
     page_.close().open("div");
     if (loss) {
       const auto& found = reader_.at(result_, "member_loss");
@@ -99,12 +103,11 @@ class LimitSection {
                             : "α, half-width of the factor of each uncertain load";
     take(result_, "alpha", alpha.c_str());
     if (const auto* const worst = ResultReader::find(result_, "worst_case")) {
-      for (const auto& [key, proved, name] :
-           {std::tuple{"lower", "lower_proved", "worst case, at least"},
-            std::tuple{"upper", "upper_proved", "worst case, at most"}}) {
-        if (ResultReader::find(*worst, key) == nullptr) continue;
-        take(*worst, key, (name + upper).c_str());
-        take(*worst, proved, fmt::format("{}: proved", name).c_str());
+      for (const auto& [key, name] : {std::pair{"lower", "worst case, at least"},
+                                      std::pair{"upper", "worst case, at most"}}) {
+        if (const auto* const bound = ResultReader::find(*worst, key))
+          take(*bound, "value",
+               fmt::format("{}{} ({})", name, upper, reader_.text(*bound, "standing")).c_str());
       }
     }
     const auto* const of_struts =
@@ -124,13 +127,14 @@ class LimitSection {
       if (empty != nullptr && *empty == true) {
         facts["carried under every admissible load" + cases] = "no factor";
       } else {
-        take(reader_.at(*interval, "lower"), "upper",
-             ("every admissible load" + cases + " is carried at factors from").c_str());
-        take(reader_.at(*interval, "upper"), "lower",
-             ("every admissible load" + cases + " is carried at factors up to").c_str());
+        const auto end = [&](const char* which, const char* bound, const char* name) {
+          if (const auto* const found = ResultReader::find(reader_.at(*interval, which), bound))
+            take(*found, "value", fmt::format("every admissible load{} {}", cases, name).c_str());
+        };
+        end("lower", "upper", "is carried at factors from");
+        end("upper", "lower", "is carried at factors up to");
       }
-      take(*interval, "proved",
-           ("carried under every admissible load" + cases + ": proved").c_str());
+      take(*interval, "standing", ("carried under every admissible load" + cases).c_str());
     }
     take(result_, "critical_interval",
          ("critical load is carried at factors from, to" + full).c_str());
@@ -154,8 +158,8 @@ class LimitSection {
     const auto in_case =
         load_case == nullptr ? std::string() : " in load case " + load_case->get<std::string>();
     page_.open("details").element("summary", "Load factor after the loss of one member" + in_case);
-    const bool uncertain =
-        ResultReader::find(*loss, "uncertain") != nullptr && reader_.at(*loss, "uncertain") == true;
+    const auto* const uncertain_loads = ResultReader::find(result_, "uncertain");
+    const bool uncertain = uncertain_loads != nullptr && *uncertain_loads == true;
     begin_table(page_,
                 (uncertain ? "Upper bounds of the load factor after the loss of one member"
                            : "Load factor after the loss of one member, computed") +
@@ -215,7 +219,8 @@ class LimitSection {
     const auto* const worst = ResultReader::find(row, "worst_case");
     for (const char* const key : {"lower", "upper"}) {
       page_.open("td");
-      add_number(page_, worst == nullptr ? nullptr : ResultReader::find(*worst, key));
+      const auto* const bound = worst == nullptr ? nullptr : ResultReader::find(*worst, key);
+      add_number(page_, bound == nullptr ? nullptr : &reader_.at(*bound, "value"));
       page_.close();
     }
     for (const auto& action : actions) {

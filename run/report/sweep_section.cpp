@@ -10,7 +10,6 @@
 #include "pictures/svg/chart.hpp"
 #include "run/report/facts.hpp"
 #include "run/results/alpha_unit.hpp"
-#include "run/results/result_verdict.hpp"
 #include "run/results/sweep_result.hpp"
 
 namespace kusabi::run {
@@ -27,7 +26,7 @@ class SweepSection {
     const bool loads = sweeps_loads(reader_);
     page_.open("section", {{"id", "sweep"}});
     page_.element("h2", loads ? "Over the uncertainty of loads" : "Over the friction coefficient");
-    if (const auto chart = sweep_chart(reader_, answer::headline(result_verdict(reader_))))
+    if (const auto chart = sweep_chart(reader_, reader_.sentence()))
       page_.verbatim(inline_chart("curve", *chart));
     if (loads) {
       load_points();
@@ -44,6 +43,13 @@ class SweepSection {
   void number(const ResultJson& object, const char* key) {
     page_.open("td");
     add_number(page_, ResultReader::find(object, key), many_digits);
+    page_.close();
+  }
+  /// Nothing if it is open.
+  void bound(const ResultJson& object, const char* key) {
+    page_.open("td");
+    const auto* const found = ResultReader::find(object, key);
+    add_number(page_, found == nullptr ? nullptr : &reader_.at(*found, "value"), many_digits);
     page_.close();
   }
   /// Lower and upper bound; nothing if there is none.
@@ -117,7 +123,7 @@ class SweepSection {
       names(pattern, "contact");
       names(pattern, "separated");
       const auto state = reader_.text(pattern, "state");
-      words(state == "alive" ? "solid" : state);
+      words(state == "feasible" ? "solid" : state);
       bracket(ResultReader::find(pattern, "absorbed"));
       page_.close();
     }
@@ -139,13 +145,13 @@ class SweepSection {
     if (points.empty()) return;
     const auto unit = unit_of_alpha(reader_);
     begin_table(page_, "Worst-case load factor at the given points",
-                {unit ? "α, " + *unit : "α", "at least", "at most", "proved", "state"});
+                {unit ? "α, " + *unit : "α", "at least", "at most", "standing", "state"});
     for (const auto& point : points) {
       page_.open("tr");
       number(point, "alpha");
-      number(point, "lower");
-      number(point, "upper");
-      words(is_true(reader_.at(point, "proved")) ? "yes" : "no");
+      bound(point, "lower");
+      bound(point, "upper");
+      words(reader_.text(point, "standing"));
       words(reader_.text(point, "state"));
       page_.close();
     }
@@ -156,7 +162,7 @@ class SweepSection {
     const auto& pieces = reader_.list(result_, "curve");
     if (pieces.empty()) return;
     begin_table(page_, "Linear pieces of the curve",
-                {"α from", "to", "factor from", "to", "proved within", "along the reference load",
+                {"α from", "to", "factor from", "to", "off by at most", "along the reference load",
                  "yielding members"});
     for (const auto& piece : pieces) {
       page_.open("tr");

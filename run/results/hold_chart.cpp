@@ -1,24 +1,29 @@
-// Unbounded intervals and pieces are drawn up to a box around all ends and vertices.
+// Areas run to the right of the computed coefficients, since a larger one holds all that a smaller
+// one holds; between two of them more may be held.
 #include "run/results/hold_chart.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <span>
+#include <map>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/values.hpp"
 #include "pictures/svg/convex_area.hpp"
+#include "run/results/result_scenes.hpp"
 
 namespace kusabi::run {
 namespace {
 
 using pictures::Chart;
+using pictures::ChartArea;
 using pictures::ChartSeries;
+using pictures::Stroke;
 using Points = std::vector<Eigen::Vector2d>;
 
 /// Distance of a vertex that is not drawn, relative to that of the vertex at the first quartile.
@@ -26,26 +31,18 @@ constexpr double far_away = 20;
 
 constexpr double unbounded_end = std::numeric_limits<double>::infinity();
 
-/// Intervals at one friction coefficient.
-struct HeldAt {
-  double mu = 0;
-  std::vector<std::pair<double, double>> intervals{};
-};
-
 class HoldCharts {
  public:
   HoldCharts(const ResultReader& reader, const std::string& sentence)
       : reader_(reader), result_(reader.at(reader.all(), "result")), sentence_(sentence) {}
 
   [[nodiscard]] std::optional<Chart> chart() const {
-    auto chart = ResultReader::find(result_, "diagram") != nullptr     ? areas()
-                 : ResultReader::find(result_, "points") != nullptr    ? bands()
+    auto chart = ResultReader::find(result_, "pieces") != nullptr      ? areas()
+                 : ResultReader::find(result_, "points") != nullptr    ? over_friction()
                  : ResultReader::find(result_, "intervals") != nullptr ? bars()
                                                                        : Chart{};
     if (chart.title.empty()) return {};
-    if (chart.series.empty())
-      chart.series.push_back(
-          {.name = "no load is known to be held", .line = {{0, 0}}, .marks = {}});
+    if (chart.series.empty()) chart.series.push_back({.name = "no load is known to be held"});
     return chart;
   }
 
@@ -67,78 +64,76 @@ class HoldCharts {
   }
 
   [[nodiscard]] std::pair<double, double> ends(const ResultJson& interval) const {
-    const auto end = [&](const char* key, double otherwise) {
-      return ResultReader::find(interval, key) == nullptr ? otherwise
-                                                          : reader_.number(interval, key);
-    };
-    return {end("low", -unbounded_end), end("high", unbounded_end)};
-  }
-
-  // Twice the largest finite end.
-  [[nodiscard]] static double drawn_size(const std::vector<HeldAt>& all) {
-    double size = 1;
-    for (const auto& point : all)
-      for (const auto& [low, high] : point.intervals)
-        for (const double end : {low, high})
-          if (std::isfinite(end)) size = std::max(size, 2 * std::abs(end));
-    return size;
-  }
-
-  [[nodiscard]] HeldAt held_at(const ResultJson& point, double mu) const {
-    HeldAt held{.mu = mu};
-    for (const auto& each : reader_.list(point, "intervals")) held.intervals.push_back(ends(each));
-    return held;
+    const auto [low, high] = held_ends(reader_, interval);
+    return {low == nullptr ? -unbounded_end : low->get<double>(),
+            high == nullptr ? unbounded_end : high->get<double>()};
   }
 
   [[nodiscard]] Chart bars() const {
     auto chart =
         empty_chart("Load factors that can be held", "factor of the reference load", "interval");
     chart.whole_numbers = true;
-    const auto held = held_at(result_, 0);
-    const double size = drawn_size({held});
-    const auto& list = reader_.list(result_, "intervals");
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      const auto row = static_cast<double>(i + 1);
-      const auto& [low, high] = held.intervals[i];
-      chart.series.push_back({.name = contact_of(list[i]),
-                              .line = {{std::max(low, -size), row}, {std::min(high, size), row}},
-                              .marks = {}});
+    double row = 0;
+    for (const auto& each : reader_.list(result_, "intervals")) {
+      const auto [low, high] = ends(each);
+      ++row;
+      chart.series.push_back({.name = "in contact: " + contact_of(each) + no_end(low, high),
+                              .lines = {{{low, row}, {high, row}}},
+                              .stroke = Stroke::bar});
     }
     return chart;
   }
 
-  // A band connects the k-th intervals of adjacent coefficients with equally many intervals.
-  [[nodiscard]] Chart bands() const {
+  // "; no end upwards", if there is none.
+  [[nodiscard]] static std::string no_end(double low, double high) {
+    if (std::isfinite(low) && std::isfinite(high)) return {};
+    return std::isfinite(high)  ? "; no lower end"
+           : std::isfinite(low) ? "; no upper end"
+                                : "; no end on either side";
+  }
+
+  [[nodiscard]] Chart over_friction() const {
     auto chart = empty_chart("Load factors that can be held", "friction coefficient",
                              "factor of the reference load");
-    std::vector<HeldAt> all;
+    ChartSeries held{
+        .name = "held at the friction coefficients of the call",
+        .stroke = Stroke::bar,
+        .areas_name = "held as well, as a larger coefficient holds all that a smaller one holds"};
+    ChartSeries none{.name = "no factor is known to be held"};
+    std::map<double, const ResultJson*> points;
     for (const auto& point : reader_.list(result_, "points"))
-      all.push_back(held_at(point, reader_.number(point, "mu")));
-    const double size = drawn_size(all);
-    for (auto first = all.begin(); first != all.end();) {
-      const auto count = first->intervals.size();
-      const auto last = std::find_if(
-          first, all.end(), [&](const HeldAt& point) { return point.intervals.size() != count; });
-      for (std::size_t k = 0; k < count; ++k) chart.series.push_back(band({first, last}, k, size));
-      first = last;
+      points[reader_.number(point, "friction")] = &point;
+    bool endless = false;
+    for (auto point = points.begin(); point != points.end(); ++point) {
+      const double mu = point->first;
+      const auto next = std::next(point);
+      const double until = next == points.end() ? unbounded_end : next->first;
+      const auto& intervals = reader_.list(*point->second, "intervals");
+      if (intervals.empty()) none.marks.push_back({mu, 0, fmt::format("none at {}", mu)});
+      for (const auto& each : intervals) {
+        const auto [low, high] = ends(each);
+        endless = endless || std::isinf(low) || std::isinf(high);
+        held.lines.push_back({{mu, low}, {mu, high}});
+        held.areas.push_back(rectangle(mu, until, low, high));
+      }
     }
+    if (endless) held.name += "; arrow: no end";
+    if (!held.lines.empty()) chart.series.push_back(std::move(held));
+    if (!none.marks.empty()) chart.series.push_back(std::move(none));
     return chart;
   }
 
-  [[nodiscard]] static ChartSeries band(std::span<const HeldAt> points, std::size_t k,
-                                        double size) {
-    const double from = points.front().mu;
-    const double to = points.back().mu;
-    ChartSeries series{.name = from == to ? fmt::format("held at {}", from)
-                                          : fmt::format("held from {} to {}", from, to),
-                       .line = {},
-                       .filled = points.size() > 1,
-                       .marks = {}};
-    for (const auto& point : points)
-      series.line.emplace_back(point.mu, std::max(point.intervals[k].first, -size));
-    for (auto point = points.rbegin(); point != points.rend(); ++point)
-      series.line.emplace_back(point->mu, std::min(point->intervals[k].second, size));
-    return series;
+  // The upper end of x, and both of y, may be infinite.
+  [[nodiscard]] static ChartArea rectangle(double left, double right, double low, double high) {
+    ChartArea area;
+    if (std::isinf(right)) area.rays.emplace_back(1, 0);
+    if (std::isinf(low)) area.rays.emplace_back(0, -1);
+    if (std::isinf(high)) area.rays.emplace_back(0, 1);
+    for (const double x : {left, std::isinf(right) ? left : right})
+      for (const double y : {std::isinf(low) ? std::min(high, 0.0) : low,
+                             std::isinf(high) ? std::max(low, 0.0) : high})
+        area.vertices.emplace_back(x, std::isfinite(y) ? y : 0);
+    return area;
   }
 
   [[nodiscard]] Points points_of(const ResultJson& piece, const char* key) const {
@@ -165,24 +160,33 @@ class HoldCharts {
   }
 
   [[nodiscard]] Chart areas() const {
-    const auto& diagram = reader_.at(result_, "diagram");
-    const auto cases = reader_.names(diagram, "cases");
+    const auto cases = reader_.names(result_, "cases");
     if (cases.size() != 2) reader_.refuse("'cases' has another length");
     auto chart =
         empty_chart("Loads that can be held", "factor of " + cases[0], "factor of " + cases[1]);
-    const auto& pieces = reader_.list(diagram, "pieces");
+    const auto& pieces = reader_.list(result_, "pieces");
     Points all;
     for (const auto& piece : pieces)
       std::ranges::copy(points_of(piece, "vertices"), std::back_inserter(all));
-    const auto box = drawn_box(std::move(all));
+    chart.shown = drawn_box(std::move(all));
+    std::size_t outside = 0;
     for (const auto& piece : pieces) {
-      const auto vertices = points_of(piece, "vertices");
-      ChartSeries series{.name = contact_of(piece), .line = {}, .filled = true, .marks = {}};
-      series.line = vertices.empty()
-                        ? pictures::corners_of(box)
-                        : pictures::convex_area(vertices, points_of(piece, "rays"), box);
-      if (!series.line.empty()) chart.series.push_back(std::move(series));
+      ChartArea area{points_of(piece, "vertices"), points_of(piece, "rays")};
+      const bool everything = area.vertices.empty();
+      if (everything) area = {{{0, 0}}, {{1, 0}, {0, 1}, {-1, -1}}};
+      if (pictures::convex_area(area.vertices, area.rays, *chart.shown).empty()) {
+        ++outside;
+        continue;
+      }
+      const auto* const end = everything           ? "; no end on any side"
+                              : !area.rays.empty() ? "; no end"
+                                                   : "";
+      chart.series.push_back(
+          {.name = "in contact: " + contact_of(piece) + end, .areas = {std::move(area)}});
     }
+    if (outside > 0)
+      chart.series.push_back(
+          {.name = answer::counted(outside, "piece") + " outside of the frame, far away"});
     return chart;
   }
 
@@ -197,7 +201,7 @@ bool is_charted_hold(const ResultReader& reader) {
   const auto* const command = ResultReader::find(reader.all(), "command");
   if (command == nullptr || *command != "hold") return false;
   const auto& result = reader.at(reader.all(), "result");
-  return ResultReader::find(result, "diagram") != nullptr ||
+  return ResultReader::find(result, "pieces") != nullptr ||
          ResultReader::find(result, "points") != nullptr;
 }
 

@@ -12,7 +12,7 @@ namespace kusabi::run {
 /// True if a chart is the picture of the result: of several friction coefficients, or of two loads.
 bool is_charted_hold(const ResultReader& reader);
 
-/// A bar for each interval of load factors, bands over the friction coefficient, or areas of two
+/// A bar for each interval of load factors, the same at each friction coefficient, or areas of two
 /// factors; nothing for a holding friction coefficient. @param sentence below the title
 /// @throws WrongInput
 std::optional<pictures::Chart> hold_chart(const ResultReader& reader, const std::string& sentence);

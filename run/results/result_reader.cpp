@@ -68,6 +68,20 @@ double ResultReader::number(const ResultJson& object, const char* key) const {
   return value.get<double>();
 }
 
+const ResultJson* ResultReader::bound_value(const ResultJson& bracket, const char* key) const {
+  const auto* const found = find(bracket, key);
+  if (found == nullptr) return nullptr;
+  const auto& value = at(*found, "value");
+  if (!is_drawable(value))
+    refuse(fmt::format("'{}' is not a number up to {:g}", key, largest_number));
+  return &value;
+}
+
+std::optional<double> ResultReader::bound(const ResultJson& bracket, const char* key) const {
+  const auto* const value = bound_value(bracket, key);
+  return value == nullptr ? std::nullopt : std::optional(value->get<double>());
+}
+
 support::ExactCount ResultReader::count(const ResultJson& object, const char* key) const {
   const auto& value = at(object, key);
   const bool digits = value.is_string();

@@ -2,6 +2,7 @@
 // range are errors with a message.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -35,6 +36,10 @@ class ResultReader {
 
   [[nodiscard]] std::string text(const ResultJson& object, const char* key) const;
   [[nodiscard]] double number(const ResultJson& object, const char* key) const;
+  /// The value of the lower or upper bound of a bracket; null if it is open.
+  [[nodiscard]] const ResultJson* bound_value(const ResultJson& bracket, const char* key) const;
+  /// The same as a number.
+  [[nodiscard]] std::optional<double> bound(const ResultJson& bracket, const char* key) const;
   /// A count of any size: a number, or a string of decimal digits.
   [[nodiscard]] support::ExactCount count(const ResultJson& object, const char* key) const;
   /// An index with 0 <= index < count.
@@ -46,6 +51,8 @@ class ResultReader {
   /// A vector of d numbers, with zeros for the others of three.
   [[nodiscard]] Eigen::Vector3d vector(const ResultJson& value, int dimension) const;
   [[nodiscard]] std::vector<std::string> names(const ResultJson& object, const char* key) const;
+  /// The answer of the run in a sentence.
+  [[nodiscard]] std::string sentence() const { return text(at(all(), "verdict"), "sentence"); }
 
   /// @throws WrongInput always
   [[noreturn]] void refuse(std::string_view what) const;

@@ -19,15 +19,15 @@ namespace {
 using pictures::ContactState;
 using pictures::Scene;
 
-/// Longer lines of names are cut.
-constexpr std::size_t longest_line = 110;
+/// Lists of names end there: three lines of a picture.
+constexpr std::size_t longest_names = 330;
 
-// "in contact: a b c", cut to the width of the picture; empty if there are none.
+// "in contact: a b c", "in contact: a b and 7 more"; empty if there are none.
 std::string listed_names(const std::string& what, const std::vector<std::string>& names) {
   if (names.empty()) return {};
   auto line = what + ':';
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (line.size() + names[i].size() > longest_line)
+    if (line.size() + names[i].size() > longest_names)
       return line + fmt::format(" and {} more", names.size() - i);
     line += ' ' + names[i];
   }
@@ -89,8 +89,10 @@ class SceneReader {
   static void add_remark_on_whole(ResultScenes& all, const ResultJson& configuration,
                                   const char* command) {
     if (ResultReader::find(configuration, "all_displacements") != nullptr) return;
-    auto text =
-        fmt::format("only contact candidates: kusabi {} --whole adds all displacements", command);
+    auto text = fmt::format(
+        "only contact candidates: kusabi {} --whole adds all displacements and the "
+        "reactions of supports",
+        command);
     if (all.picture.lines.back() != text) all.picture.lines.push_back(std::move(text));
   }
 
@@ -127,10 +129,10 @@ class SceneReader {
       scene.name = fmt::format("pattern {}", all.count);
       const auto state = reader_.text(pattern, "state");
       const bool has_margin = ResultReader::find(pattern, "margin") != nullptr;
-      scene.note = state != "alive" ? state
-                   : !has_margin    ? std::string()
-                                    : fmt::format("t* {:.2e}", reader_.number(pattern, "margin"));
-      if (state == "alive" && has_margin)
+      scene.note = state != "feasible" ? state
+                   : !has_margin       ? std::string()
+                                 : fmt::format("t* {:.2e}", reader_.number(pattern, "margin"));
+      if (state == "feasible" && has_margin)
         add_line(scene, fmt::format("margin t* = {:.6g}", reader_.number(pattern, "margin")));
       add_firmness(scene, pattern);
       add_signs(scene, pattern);
@@ -141,12 +143,7 @@ class SceneReader {
   }
 
   void read_critical(ResultScenes& all) {
-    const auto& bracket = reader_.at(result_, "critical_friction");
-    all.picture.lines = {
-        ResultReader::find(bracket, "upper") == nullptr
-            ? fmt::format("cannot stick up to {:.10g}", reader_.number(bracket, "lower"))
-            : fmt::format("critical friction coefficient: between {:.10g} and {:.10g}",
-                          reader_.number(bracket, "lower"), reader_.number(bracket, "upper"))};
+    all.picture.lines = {reader_.sentence()};
     std::size_t entry = 0;
     for (const auto& pattern : reader_.list(result_, "patterns")) {
       ++entry;
@@ -193,9 +190,9 @@ class SceneReader {
 
   // Friction coefficient of a state: that of the call, or the one found.
   [[nodiscard]] double friction_of(const ResultJson& entry) const {
-    const auto& options = reader_.at(reader_.all(), "options");
-    return ResultReader::find(options, "mu") != nullptr ? reader_.number(options, "mu")
-                                                        : reader_.number(entry, "upper");
+    const auto* const points = ResultReader::find(reader_.at(reader_.all(), "options"), "mu");
+    return points != nullptr && !points->empty() ? points->front().get<double>()
+                                                 : reader_.bound(entry, "upper").value_or(0);
   }
 
   void read_states(ResultScenes& all) {
@@ -203,19 +200,16 @@ class SceneReader {
       if (!is_chosen(all, all.count)) continue;
       const double friction = friction_of(*entry);
       auto scene = at_friction(friction);
-      scene.name = fmt::format("state {}", all.count);
+      const auto& state = reader_.at(*entry, "state");
+      const double factor = reader_.number(state, "factor");
+      scene.name = fmt::format("state {} {}", all.count, under_factor(factor));
       scene.note = fmt::format("μ {:.6g}", friction);
       add_signs(scene, reader_.at(*entry, "pattern"));
-      const auto& state = reader_.at(*entry, "state");
       for (const auto& [name, force] : reader_.at(state, "reactions").items()) {
         const auto i = candidate_named(name);
         scene.candidates[i].reaction = structure_.frames[i] * reader_.vector(force, dimension_);
       }
-      const auto& structure = reader_.at(reader_.at(reader_.all(), "problem"), "structure");
-      add_loads(scene, pictures::DrawnLoad::Kind::dead, structure, "dead_loads");
-      const double factor = reader_.number(state, "factor");
-      if (factor != 0)
-        add_loads(scene, pictures::DrawnLoad::Kind::reference, structure, "reference_loads");
+      add_loads(scene, {.factor = factor});
       add_line(scene, fmt::format("held at factor {:.10g} of the reference load", factor));
       all.picture.lines = {
           fmt::format("states of equilibrium at friction coefficient {:.10g}", friction)};
@@ -231,27 +225,28 @@ class SceneReader {
                                ResultReader::find(result_, "collapse_mode") != nullptr;
     if (nominal != nullptr && !in_the_middle && is_chosen(all)) {
       const double factor = reader_.number(result_, "nominal");
-      all.scenes.push_back(collapse("nominal load", factor, *nominal));
-      add_loads(all.scenes.back(), pictures::DrawnLoad::Kind::dead,
-                reader_.at(reader_.at(reader_.all(), "problem"), "structure"), "dead_loads");
+      auto scene = collapse("nominal load", factor, *nominal);
+      add_loads(scene, {.factor = factor});
+      scene.support_reactions = by_node(result_, "nominal_support_reactions");
+      all.scenes.push_back(std::move(scene));
     }
     read_loss(all);
     const auto* const worst_mode = ResultReader::find(result_, "collapse_mode");
     if (worst_mode != nullptr && is_chosen(all)) {
+      // The reactions are those at the factor of the critical load, the upper bound up to rounding.
       const auto& interval = reader_.list(result_, "critical_interval", 2);
       const auto& worst = reader_.at(result_, "worst_case");
-      const bool known = ResultReader::find(worst, "upper") != nullptr;
-      if (!known && !interval[1].is_number()) reader_.refuse("'upper' is missing");
-      const double factor = known ? reader_.number(worst, "upper") : interval[1].get<double>();
-      all.scenes.push_back(collapse("worst case", factor, *worst_mode));
-      for (const auto& load : reader_.list(result_, "critical_load"))
-        add_load(all.scenes.back(), pictures::DrawnLoad::Kind::dead,
-                 node_named(reader_.text(load, "node")), load);
+      const auto upper = reader_.bound(worst, "upper");
+      if (!interval[1].is_number()) reader_.refuse("'critical_interval' is not a list of numbers");
+      const double factor = interval[1].get<double>();
+      auto scene = collapse("worst case", upper.value_or(factor), *worst_mode);
+      add_loads(scene, {.factor = factor, .critical = &result_});
+      scene.support_reactions = by_node(result_, "support_reactions");
       const bool alike = ResultReader::find(result_, "alpha") != nullptr;
-      add_line(all.scenes.back(),
-               alike ? fmt::format("dead load uncertain up to α = {:.10g}",
-                                   reader_.number(result_, "alpha"))
-                     : std::string("dead load uncertain, with individual half-widths"));
+      add_line(scene, alike ? fmt::format("dead load uncertain up to α = {:.10g}",
+                                          reader_.number(result_, "alpha"))
+                            : std::string("dead load uncertain, with individual half-widths"));
+      all.scenes.push_back(std::move(scene));
     }
   }
 
@@ -262,23 +257,21 @@ class SceneReader {
     const auto* const mode = ResultReader::find(*loss, "collapse_mode");
     const auto lost = reader_.names(*loss, "lost");
     if (mode == nullptr || lost.empty() || !is_chosen(all)) return;
-    const auto* const factor = ResultReader::find(*loss, "upper");
-    all.scenes.push_back(
-        collapse("worst loss", factor == nullptr ? -HUGE_VAL : factor->get<double>(), *mode));
-    auto& scene = all.scenes.back();
+    const auto upper = reader_.bound(*loss, "upper");
+    const double factor = upper.value_or(-HUGE_VAL);
+    auto scene = collapse("worst loss", factor, *mode);
     for (const auto& index : reader_.list(*loss, "lost_index", lost.size())) {
       const auto i = static_cast<std::size_t>(reader_.index(index, scene.bars.size()));
       scene.bars[i].state = pictures::BarState::lost;
     }
     add_line(scene, listed_names("lost", lost));
-    const auto& structure = reader_.at(reader_.at(reader_.all(), "problem"), "structure");
-    if (ResultReader::find(*loss, "critical_load") == nullptr) {
-      add_loads(scene, pictures::DrawnLoad::Kind::dead, structure, "dead_loads");
-      return;
-    }
-    for (const auto& load : reader_.list(*loss, "critical_load"))
-      add_load(scene, pictures::DrawnLoad::Kind::dead, node_named(reader_.text(load, "node")),
-               load);
+    const bool critical = ResultReader::find(*loss, "critical_load") != nullptr;
+    add_loads(scene, {.factor = upper.value_or(0),
+                      .sudden = ResultReader::find(result_, "sudden") == nullptr
+                                    ? 1
+                                    : reader_.number(result_, "sudden"),
+                      .critical = critical ? loss : nullptr});
+    all.scenes.push_back(std::move(scene));
   }
 
   Scene collapse(const std::string& name, double factor, const ResultJson& mode) const {
@@ -304,22 +297,60 @@ class SceneReader {
                                                               : pictures::BarState::compression;
       }
     }
-    add_loads(scene, pictures::DrawnLoad::Kind::reference,
-              reader_.at(reader_.at(reader_.all(), "problem"), "structure"), "reference_loads");
     return scene;
   }
 
-  // Loads of the structure under this key, if there are any.
-  void add_loads(Scene& scene, pictures::DrawnLoad::Kind kind, const ResultJson& structure,
-                 const char* key) const {
-    if (ResultReader::find(structure, key) == nullptr) return;
-    for (const auto& load : reader_.list(structure, key))
-      add_load(scene, kind, reader_.index(reader_.at(load, "node"), structure_.nodes.size()), load);
+  struct LoadsOfScene {
+    double factor;      // of the reference load; 0: it does not act
+    double sudden = 1;  // dynamic factor of all loads
+    const ResultJson* critical =
+        nullptr;  // has the dead load that acts in place of that of the file
+  };
+
+  // Loads as they act.
+  void add_loads(Scene& scene, const LoadsOfScene& chosen) const {
+    using Kind = pictures::DrawnLoad::Kind;
+    const auto& structure = reader_.at(reader_.at(reader_.all(), "problem"), "structure");
+    const auto each = [&](const char* key, auto&& add) {
+      if (ResultReader::find(structure, key) == nullptr) return;
+      for (const auto& load : reader_.list(structure, key))
+        add(reader_.index(reader_.at(load, "node"), structure_.nodes.size()), force_of(load));
+    };
+    if (chosen.critical == nullptr) {
+      each("dead_loads", [&](int node, const Eigen::Vector3d& force) {
+        scene.loads.push_back({Kind::dead, node, chosen.sudden * force});
+      });
+    } else {
+      for (const auto& load : reader_.list(*chosen.critical, "critical_load"))
+        scene.loads.push_back(
+            {Kind::dead, node_named(reader_.text(load, "node")), chosen.sudden * force_of(load)});
+      // The critical load has no part on supported displacements.
+      each("dead_loads", [&](int node, const Eigen::Vector3d& force) {
+        const Eigen::Vector3d part = on_supports(node, force);
+        if (!part.isZero(0)) scene.loads.push_back({Kind::dead, node, chosen.sudden * part});
+      });
+      scene.load_names.dead = "critical dead load";
+    }
+    if (chosen.factor != 0) {
+      each("reference_loads", [&](int node, const Eigen::Vector3d& force) {
+        scene.loads.push_back({Kind::reference, node, chosen.sudden * chosen.factor * force});
+      });
+    }
+    if (chosen.sudden != 1) scene.load_names.dead += fmt::format(" × {:.6g}", chosen.sudden);
+    scene.load_names.reference += fmt::format(" × {:.6g}", chosen.sudden * chosen.factor);
   }
 
-  void add_load(Scene& scene, pictures::DrawnLoad::Kind kind, int node,
-                const ResultJson& load) const {
-    scene.loads.push_back({kind, node, reader_.vector(reader_.at(load, "force"), dimension_)});
+  [[nodiscard]] Eigen::Vector3d force_of(const ResultJson& load) const {
+    return reader_.vector(reader_.at(load, "force"), dimension_);
+  }
+
+  // The components along axes at which the node is supported.
+  [[nodiscard]] Eigen::Vector3d on_supports(int node, Eigen::Vector3d force) const {
+    const auto& supports = structure_.scene.supports;
+    const auto found = std::ranges::find(supports, node, &pictures::DrawnSupport::node);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (found == supports.end() || !found->fixed[axis]) force[static_cast<int>(axis)] = 0;
+    return force;
   }
 
   [[nodiscard]] int node_named(const std::string& name) const {
@@ -345,7 +376,7 @@ class SceneReader {
     };
     set("contact", "in contact", ContactState::contact);
     set("separated", "separated", ContactState::separated);
-    set("at_rest", "inactive", ContactState::inactive);
+    set("inactive", "inactive", ContactState::inactive);
   }
 
   // Reactions, from the frames of the candidates to global axes; displacements of nodes, support
@@ -400,6 +431,16 @@ std::vector<const ResultJson*> held_states(const ResultReader& reader) {
     for (const auto& each : reader.list(result, "intervals")) take(each);
   }
   return states;
+}
+
+std::pair<const ResultJson*, const ResultJson*> held_ends(const ResultReader& reader,
+                                                          const ResultJson& interval) {
+  return {reader.bound_value(reader.at(interval, "below"), "upper"),
+          reader.bound_value(reader.at(interval, "above"), "lower")};
+}
+
+std::string under_factor(double factor) {
+  return factor == 0 ? "under the dead load" : fmt::format("at factor {:.6g}", factor);
 }
 
 ResultScenes chosen_scenes(const ResultReader& reader, SceneChoice choice) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pictures/svg/picture.hpp"
@@ -30,6 +31,14 @@ struct ResultScenes {
 /// Entries of a result of `hold` with a known state, each with `pattern` and `state`: that of the
 /// holding friction coefficient, or one at an end of each interval of factors. @throws WrongInput
 std::vector<const ResultJson*> held_states(const ResultReader& reader);
+
+/// The ends of an interval of factors that `hold` has found, which are held; null: there is no end.
+/// @throws WrongInput
+std::pair<const ResultJson*, const ResultJson*> held_ends(const ResultReader& reader,
+                                                          const ResultJson& interval);
+
+/// "under the dead load", "at factor 1.4": the load of a state. @param factor of the reference load
+std::string under_factor(double factor);
 
 /// The list of scenes may be empty.
 /// @throws WrongInput in one line if it is not a result that can be drawn

@@ -20,6 +20,7 @@ namespace {
 
 using pictures::Chart;
 using pictures::ChartSeries;
+using pictures::Stroke;
 
 /// Parts common to both.
 class SweepPage {
@@ -76,21 +77,27 @@ class SweptFriction : public SweepPage {
   }
 
  private:
+  // Steps are joined where the coefficient between them is known better than can be seen.
   [[nodiscard]] ChartSeries stairs(bool as_logarithms) const {
-    ChartSeries stairs{.name = "number of sign patterns, constant between its steps",
-                       .line = {},
-                       .dashed = !list("open").empty(),
-                       .marks = {}};
-    if (stairs.dashed) stairs.name = "number of sign patterns known; some are open";
-    for (const auto& step : list("staircase")) {
+    constexpr double visible = 1e-3;
+    const bool some_open = !list("open").empty();
+    ChartSeries stairs{.name = some_open ? "number of sign patterns known; some are open"
+                                         : "number of sign patterns, constant between its steps",
+                       .stroke = some_open ? Stroke::dashed : Stroke::curve};
+    const auto& steps = list("staircase");
+    const double width = number(steps.back(), "to") - number(steps.front(), "from");
+    for (const auto& step : steps) {
+      const double from = number(step, "from");
       const double count = height(known_between(step), as_logarithms);
-      for (const char* const end : {"from", "to"})
-        stairs.line.emplace_back(number(step, end), count);
+      if (stairs.lines.empty() || from - stairs.lines.back().back().x() > visible * width)
+        stairs.lines.emplace_back();
+      stairs.lines.back().emplace_back(from, count);
+      stairs.lines.back().emplace_back(number(step, "to"), count);
     }
     return stairs;
   }
   [[nodiscard]] ChartSeries points(bool as_logarithms) const {
-    ChartSeries asked{.name = "at the given points", .line = {}, .marks = {}};
+    ChartSeries asked{.name = "at the given points"};
     for (const auto& point : list("points")) {
       if (!has(point, "count")) continue;
       const double mu = number(point, "mu");
@@ -150,35 +157,49 @@ class SweptLoads : public SweepPage {
   [[nodiscard]] std::optional<Chart> chart() const {
     auto line = curve();
     auto asked = points();
-    if (line.line.empty() && asked.marks.empty()) return {};
+    if (line.lines.empty() && asked.lines.empty()) return {};
     Chart chart{.title = problem_name() + ": worst-case limit load factor",
                 .description = sentence_,
-                .lines = {"worst-case limit load factor", sentence_},
+                .lines = {sentence_},
                 .x_name = "uncertainty alpha of each load" + alpha_in(", "),
                 .y_name = "limit load factor",
                 .whole_numbers = false,
                 .series = {}};
-    if (!line.line.empty()) chart.series.push_back(std::move(line));
-    if (!asked.marks.empty()) chart.series.push_back(std::move(asked));
+    if (!line.lines.empty()) chart.series.push_back(std::move(line));
+    if (!asked.lines.empty()) chart.series.push_back(std::move(asked));
     return chart;
   }
 
  private:
   [[nodiscard]] ChartSeries curve() const {
-    ChartSeries line{.name = "worst case, linear between its breakpoints", .line = {}, .marks = {}};
-    const auto& pieces = list("curve");
-    for (const auto& piece : pieces)
-      line.line.emplace_back(number(piece, "from"), number(piece, "factor_from"));
-    if (!pieces.empty())
-      line.line.emplace_back(number(pieces.back(), "to"), number(pieces.back(), "factor_to"));
-    return line;
+    ChartSeries curve{.name = "worst case, linear between its breakpoints"};
+    double end = 0;
+    for (const auto& piece : list("curve")) {
+      const double from = number(piece, "from");
+      if (curve.lines.empty() || from != end)
+        curve.lines.push_back({{from, number(piece, "factor_from")}});
+      end = number(piece, "to");
+      curve.lines.back().emplace_back(end, number(piece, "factor_to"));
+    }
+    return curve;
   }
+  // From the lower to the upper bound; the mark is at the upper one.
   [[nodiscard]] ChartSeries points() const {
-    ChartSeries asked{.name = "at the given points", .line = {}, .marks = {}};
+    constexpr double visible = 1e-3;  // relative
+    ChartSeries asked{.name = "at the given points"};
     for (const auto& point : list("points")) {
       if (!has(point, "upper") || reader_.text(point, "state") == "not-carried") continue;
-      const double alpha = number(point, "alpha"), upper = number(point, "upper");
-      asked.marks.push_back({alpha, upper, fmt::format("{:.10g} at alpha = {}", upper, alpha)});
+      const double alpha = number(point, "alpha");
+      const double upper = *reader_.bound(point, "upper");
+      const double lower = reader_.bound(point, "lower").value_or(-HUGE_VAL);
+      if (upper - lower > visible * std::abs(upper))
+        asked.name = "at the given points: from the lower bound to the upper one";
+      asked.lines.push_back({{alpha, lower}, {alpha, upper}});
+      asked.marks.push_back(
+          {alpha, upper,
+           std::isinf(lower)
+               ? fmt::format("at most {:.10g} at alpha = {}", upper, alpha)
+               : fmt::format("{:.10g} to {:.10g} at alpha = {}", lower, upper, alpha)});
     }
     return asked;
   }

@@ -132,10 +132,10 @@ std::string progress_explained(bool has_objective) {
       "  left    estimated remaining time, from the growth of this share{}\n"
       "          ending: no open node is left, and the ranks terminate",
       progress_header(has_objective), progress_row(example),
-      has_objective
-          ? "  objective, bound, gap   best value, proved bound, and their relative difference\n"
-          : "  found   solutions found\n",
-      has_objective ? "\n          closing: the proof is complete, and open nodes are discarded"
+      has_objective ? "  objective, bound, gap   best value, bound of all open nodes, and their "
+                      "relative difference\n"
+                    : "  found   solutions found\n",
+      has_objective ? "\n          closing: no better value is left, and open nodes are discarded"
                     : "");
 }
 
@@ -146,7 +146,7 @@ std::string progress_bar(const ProgressState& state, std::size_t width) {
   std::vector<std::string> fields{
       percent(progress.closed),
       state.progress.open == 0 ? "ending: the ranks terminate"
-      : proof_is_over(state)   ? "closing: the proof is complete"
+      : proof_is_over(state)   ? "closing: no better value is left"
                                : duration(state.remaining) + " left",
       state.has_objective ? fmt::format("best {}, gap {}", number(objective(state)),
                                         gap(objective(state), bound(state)))

@@ -48,9 +48,9 @@ std::string expectation(int dimension, std::size_t candidates) {
       dimension == 2 ? cost_of(in_the_plane, candidates) : cost_of(in_space, candidates);
   auto text = cost == nullptr
                   ? std::string(
-                        "a proved bracket (critical) takes minutes or more; the list of "
+                        "the bracket (critical) takes minutes or more; the list of "
                         "all patterns may not end")
-                  : fmt::format("a proved bracket (critical) {}; the list of all patterns {}",
+                  : fmt::format("the bracket (critical) {}; the list of all patterns {}",
                                 cost->bracket, cost->list);
   if (const auto every = thinning(candidates); every > 1) {
     text += fmt::format("; every = {} in [[contact]] leaves about {} candidates", every,

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include "answer/ending.hpp"
 #include "answer/values.hpp"
 #include "nodes/wedged/exact_list.hpp"
 #include "nodes/wedged/sweep/sweep_search.hpp"
@@ -28,14 +27,13 @@ using nlohmann::ordered_json;
 
 class FrictionSweep final : public Swept {
  public:
-  FrictionSweep(const SweepOptions& options, std::vector<double> points, double maximum)
-      : options_(options),
-        points_(std::move(points)),
-        parameters_{.maximum = maximum, .width = options.width} {}
+  explicit FrictionSweep(const SweepOptions& options)
+      : options_(options), parameters_{.maximum = options.maximum(), .width = options.width} {}
 
   void prepare(CommandRun& run) override {
     contact_ = contact_problem(run, options_.input);
-    if (!points_.empty()) warn_of_facets(run, options_.input, contact_.facets, points_.front());
+    if (!options_.mu.empty())
+      warn_of_facets(run, options_.input, contact_.facets, options_.mu.front());
     friction_at(contact_.problem, parameters_.maximum, options_.input.file);
     keep_state(run, options_.checkpoint, contact_.problem);
   }
@@ -48,14 +46,14 @@ class FrictionSweep final : public Swept {
     found_ = wedged::sweep_friction(analysis, contact_.problem, parameters_);
     const bool searched =
         run.session().from_first_rank([&] { return found_.status == engine::Status::solved; });
-    if (points_.empty() && run.session().is_first())
+    if (options_.mu.empty() && run.session().is_first())
       warn_of_facets(run, options_.input, contact_.facets, smallest_found());
     if (!searched) return;
     const auto proving = options_.prove ? wedged::Proving::always : wedged::Proving::automatic;
     exact_ = wedged::tested_counts(analysis, {contact_.structure, contact_.problem, proving},
-                                   points_, found_);
+                                   options_.mu, found_);
   }
-  [[nodiscard]] ordered_json json() const override;
+  [[nodiscard]] ordered_json json(CommandRun& run) const override;
   void write_csv(std::ostream& out) const override;
   [[nodiscard]] std::string table() const override {
     return points_text() + cones_text() + ranks_text();
@@ -77,7 +75,6 @@ class FrictionSweep final : public Swept {
 
   const SweepOptions& options_;
   ContactProblem contact_;
-  std::vector<double> points_;
   wedged::SweepParameters parameters_;
   wedged::SweepFindings found_;
   wedged::ExactTest exact_;  // of its counts
@@ -86,7 +83,7 @@ class FrictionSweep final : public Swept {
 std::vector<wedged::ConeCount> FrictionSweep::counts() const {
   std::vector<wedged::ConeCount> list;
   if (!found_.enumerated) return list;
-  for (const double point : points_) list.push_back(found_.count_at(point));
+  for (const double point : options_.mu) list.push_back(found_.count_at(point));
   return list;
 }
 
@@ -116,7 +113,7 @@ ordered_json point_json(const wedged::ConeCount& count) {
   return point;
 }
 
-ordered_json FrictionSweep::json() const {
+ordered_json FrictionSweep::json(CommandRun& run) const {
   auto points = ordered_json::array();
   for (const auto& count : counts()) points.push_back(point_json(count));
   auto steps = ordered_json::array();
@@ -129,7 +126,7 @@ ordered_json FrictionSweep::json() const {
   auto patterns = ordered_json::array();
   for (const auto& cone : found_.cones) {
     auto json = pattern_json(contact_.problem, cone.block, cone.pattern);
-    json["state"] = cone.solid() ? "alive" : "flat";
+    json["state"] = cone.solid() ? "feasible" : "flat";
     json["lower"] = cone.begins.lower;
     json["upper"] = cone.begins.upper;
     json["absorbed"] = bracket_json(cone.absorbed);
@@ -141,25 +138,17 @@ ordered_json FrictionSweep::json() const {
     json["lower"] = leaf.lower;
     open.push_back(std::move(json));
   }
-  ordered_json chosen{
-      {"mu", points_}, {"mu_max", parameters_.maximum}, {"width", parameters_.width}};
-  return {
-      {"command", "sweep"},
-      {"version", KUSABI_VERSION},
-      {"problem", problem_json(contact_.structure, contact_.problem, options_.input.file)},
-      {"options", std::move(chosen)},
-      {"status", answer::status_text(verdict())},
-      {"result",
-       {{"points", std::move(points)},
-        {"at_mu_max",
-         found_.enumerated ? point_json(found_.count_at(found_.maximum)) : ordered_json()},
-        {"staircase", std::move(steps)},
-        {"patterns", std::move(patterns)},
-        {"open", std::move(open)},
-        {"exact", exact_json(exact_)}}},
-      {"statistics",
-       {{"tree", rank_reports(found_.tree_ranks, counts_json<wedged::SignPatternTally>)},
-        {"histories", rank_reports(found_.history_ranks, counts_json<wedged::SweepTree::Tally>)}}}};
+  return run.result_json(
+      problem_json(contact_.structure, contact_.problem, options_.input.file),
+      {{"points", std::move(points)},
+       {"at_mu_max",
+        found_.enumerated ? point_json(found_.count_at(found_.maximum)) : ordered_json()},
+       {"staircase", std::move(steps)},
+       {"patterns", std::move(patterns)},
+       {"open", std::move(open)},
+       {"exact", exact_json(exact_)}},
+      {{"tree", rank_reports(found_.tree_ranks, counts_json<wedged::SignPatternTally>)},
+       {"histories", rank_reports(found_.history_ranks, counts_json<wedged::SweepTree::Tally>)}});
 }
 
 void FrictionSweep::write_csv(std::ostream& out) const {
@@ -178,7 +167,7 @@ void FrictionSweep::write_csv(std::ostream& out) const {
 }
 
 std::string FrictionSweep::points_text() const {
-  if (points_.empty() || !found_.enumerated) return {};
+  if (options_.mu.empty() || !found_.enumerated) return {};
   std::string text = fmt::format("\n{:>12}  {}\n", "friction", "sign patterns");
   for (const auto& count : counts()) {
     fmt::format_to(std::back_inserter(text), "{:>12.10g}  {}\n", count.friction,
@@ -251,9 +240,8 @@ answer::Verdict FrictionSweep::verdict() const {
 
 }  // namespace
 
-std::unique_ptr<Swept> swept_friction(const SweepOptions& options, std::vector<double> points,
-                                      double maximum) {
-  return std::make_unique<FrictionSweep>(options, std::move(points), maximum);
+std::unique_ptr<Swept> swept_friction(const SweepOptions& options) {
+  return std::make_unique<FrictionSweep>(options);
 }
 
 }  // namespace kusabi::run

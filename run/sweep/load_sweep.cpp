@@ -2,26 +2,24 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include "answer/ending.hpp"
+#include "answer/fields.hpp"
 #include "answer/values.hpp"
+#include "answer/words.hpp"
 #include "engine/collectives.hpp"
 #include "nodes/limit/limit_sweep.hpp"
-#include "problems/files/sections/residual_strength.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/load_cases.hpp"
-#include "run/command/group_half_widths.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
-#include "run/pictures/limit_problem_json.hpp"
+#include "run/pictures/structure_json.hpp"
 #include "run/session/analysis_options.hpp"
 #include "run/session/kept_state.hpp"
 #include "run/sweep/swept.hpp"
@@ -40,7 +38,7 @@ const char* state_of(const limit::LimitWorstCase& worst) {
 
 // Load factors below the worst case that are carried under every admissible load.
 std::string lower_end_text(const limit::GuaranteedInterval& interval) {
-  const char* const standing = is_proved(interval.standing()) ? "" : ", not proved";
+  const auto* const standing = answer::unless_proved(interval.standing());
   if (interval.is_empty()) return fmt::format("; no factor for all loads{}", standing);
   if (!interval.has_factors()) return "; the least factor for all loads is undecided";
   return fmt::format("; for all loads from {} on{}",
@@ -50,8 +48,7 @@ std::string lower_end_text(const limit::GuaranteedInterval& interval) {
 
 class LoadSweep final : public Swept {
  public:
-  LoadSweep(const SweepOptions& options, std::vector<double> points)
-      : options_(options), alphas_(std::move(points)) {}
+  explicit LoadSweep(const SweepOptions& options) : options_(options) {}
 
   void prepare(CommandRun& run) override {
     const auto structure = options_.input.structure(run);
@@ -77,19 +74,18 @@ class LoadSweep final : public Swept {
     }
     engine::require_equal_on_all_ranks(run.session().transport(), problem_.fingerprint);
     run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
-    ranks_ = run.session().ranks();
   }
   [[nodiscard]] std::string announcement(const std::string& ranks) const override {
     return fmt::format("{}: {}, {} members, {} uncertain loads, alpha up to {}{}; {}",
                        problem_.name, problem_.dimension == 2 ? "in the plane" : "in space",
-                       problem_.member_count(), problem_.uncertain_count(), alphas_.back(),
+                       problem_.member_count(), problem_.uncertain_count(), options_.alpha.back(),
                        problems::alpha_is_force(problem_) ? ' ' + problem_.units.force : "", ranks);
   }
   void search(CommandRun& run) override {
     engine::Analysis analysis(run.session().transport(), run.analysis_options(options_.limits));
-    found_ = limit::sweep_limit_loads(analysis, truss_, problem_, alphas_);
+    found_ = limit::sweep_limit_loads(analysis, truss_, problem_, options_.alpha);
   }
-  [[nodiscard]] ordered_json json() const override;
+  [[nodiscard]] ordered_json json(CommandRun& run) const override;
   void write_csv(std::ostream& out) const override;
   [[nodiscard]] std::string table() const override;
   [[nodiscard]] answer::Verdict verdict() const override;
@@ -100,7 +96,7 @@ class LoadSweep final : public Swept {
     const auto& curve = found_.last.worst_curve;
     return curve && !curve->pieces.empty() ? &*curve : nullptr;
   }
-  [[nodiscard]] double alpha_at(double beta) const { return beta * alphas_.back(); }
+  [[nodiscard]] double alpha_at(double beta) const { return beta * options_.alpha.back(); }
   [[nodiscard]] ordered_json piece_json(const limit::CurvePiece& piece) const;
   [[nodiscard]] std::string curve_text() const;
   void fix_groups(const problems::Structure& whole);
@@ -109,26 +105,22 @@ class LoadSweep final : public Swept {
   const SweepOptions& options_;
   problems::CheckedStructure truss_;
   problems::LimitProblem problem_;
-  std::vector<double> alphas_;
-  int ranks_ = 1;
   limit::LimitSweep found_;
 };
 
 // The factors of struts at their strength are upper values only.
 void LoadSweep::refuse_struts(const problems::CheckedStructure& structure) const {
-  const auto& [file, text] = std::tie(options_.input.file, options_.input.text.toml);
-  if (problems::residual_strengths(text, file, structure).size() == 0) return;
+  if (!problems::has_struts(structure)) return;
   throw WrongInput(
       fmt::format("--alpha: {} has members with `residual`, whose residual strength the sweep does "
                   "not analyse; expected a file without them, or kusabi limit --alpha",
-                  file));
+                  options_.input.file));
 }
 
 void LoadSweep::fix_groups(const problems::Structure& whole) {
   problems::LimitProblem* const one = &problem_;
   try {
-    problems::fix_half_widths(
-        problem_, problems::of_cases(group_half_widths(options_.group_alpha), {&one, 1}, whole));
+    problems::fix_half_widths(problem_, problems::of_cases(options_.group_alpha, {&one, 1}, whole));
   } catch (const problems::HalfWidthError& error) {
     throw WrongInput(fmt::format("--group-alpha: {}", error.what()));
   }
@@ -152,23 +144,17 @@ ordered_json LoadSweep::piece_json(const limit::CurvePiece& piece) const {
           {"tension", std::move(tension)}};
 }
 
-ordered_json LoadSweep::json() const {
-  ordered_json chosen;
-  chosen["alpha"] = alphas_;
-  for (const auto& [name, half_width] : group_half_widths(options_.group_alpha))
-    chosen["group_alpha"][name] = half_width;
+ordered_json LoadSweep::json(CommandRun& run) const {
   auto points = ordered_json::array();
   for (const auto& [alpha, worst, interval] : found_.points) {
     points.push_back({{"alpha", alpha},
-                      {"lower", answer::number_or_null(worst.ends.at_least())},
-                      {"upper", answer::number_or_null(worst.ends.at_most())},
-                      {"proved", worst.proved()},
+                      {"lower", answer::written(worst.ends.lower)},
+                      {"upper", answer::written(worst.ends.upper)},
+                      {"standing", answer::name_of(worst.standing)},
                       {"guaranteed_interval", interval_json(interval)},
                       {"state", state_of(worst)}});
   }
-  ordered_json result{
-      {"nominal", found_.last.nominal ? ordered_json(found_.last.nominal->factor) : ordered_json()},
-      {"points", std::move(points)}};
+  ordered_json result{{"points", std::move(points)}};
   auto pieces = ordered_json::array();
   if (curve()) {
     for (const auto& piece : curve()->pieces) pieces.push_back(piece_json(piece));
@@ -178,15 +164,10 @@ ordered_json LoadSweep::json() const {
     const auto& end = *curve()->end;
     result["curve_end"] = {{"carried_at", alpha_at(end.carried_at)},
                            {"not_carried_at", alpha_at(end.not_carried_at)},
-                           {"proved", is_proved(end.standing)}};
+                           {"standing", answer::name_of(end.standing)}};
   }
-  return {{"command", "sweep"},
-          {"version", KUSABI_VERSION},
-          {"problem", limit_problem_json(problem_, truss_, options_.input.file)},
-          {"options", std::move(chosen)},
-          {"status", answer::status_text(verdict())},
-          {"result", std::move(result)},
-          {"statistics", {{"ranks", ranks_}}}};
+  return run.result_json(limit_problem_json(problem_, truss_, options_.input.file),
+                         std::move(result), {{"ranks", run.session().ranks()}});
 }
 
 // The number, or nothing if it is absent.
@@ -228,9 +209,9 @@ std::string LoadSweep::curve_text() const {
   const auto& last = curve()->pieces.back();
   fmt::format_to(out, "{:>12.8g} {:>12.8g}\n", alpha_at(last.to), last.factor_at_end);
   if (curve()->end) {
-    fmt::format_to(out, "{:>12.8g}     not carried at any factor from here on{}\n",
+    fmt::format_to(out, "{:>12.8g}     not carried at any factor from here on, {}\n",
                    alpha_at(curve()->end->not_carried_at),
-                   is_proved(curve()->end->standing) ? ", proved" : "");
+                   answer::standing_word(curve()->end->standing));
   }
   return text;
 }
@@ -242,7 +223,7 @@ std::string LoadSweep::table() const {
   for (const auto& [alpha, worst, interval] : found_.points) {
     fmt::format_to(out, "{:>12.8g}  ", alpha);
     if (worst.status == RootStatus::not_carried) {
-      fmt::format_to(out, "not carried at any factor{}\n", worst.proved() ? ", proved" : "");
+      fmt::format_to(out, "not carried at any factor, {}\n", answer::standing_word(worst.standing));
     } else {
       const auto& ends = worst.ends;
       const bool apart = !worst.proved() && ends.has_proved_ends();
@@ -254,7 +235,7 @@ std::string LoadSweep::table() const {
 }
 
 answer::Verdict LoadSweep::verdict() const {
-  answer::LoadSteps steps{.points = found_.points.size(), .points_asked = alphas_.size()};
+  answer::LoadSteps steps{.points = found_.points.size(), .points_asked = options_.alpha.size()};
   if (const auto& nominal = found_.last.nominal) {
     steps.nominal =
         found_.last.nominal_factors.largest.lower.value_or(support::Bound{nominal->factor});
@@ -272,14 +253,14 @@ answer::Verdict LoadSweep::verdict() const {
       steps.minimum = interval.minimum;
     }
   }
-  steps.open = !found_.whole(alphas_.size());
+  steps.open = !found_.whole(options_.alpha.size());
   return {.ended = found_.status, .answer = steps};
 }
 
 }  // namespace
 
-std::unique_ptr<Swept> swept_loads(const SweepOptions& options, std::vector<double> points) {
-  return std::make_unique<LoadSweep>(options, std::move(points));
+std::unique_ptr<Swept> swept_loads(const SweepOptions& options) {
+  return std::make_unique<LoadSweep>(options);
 }
 
 }  // namespace kusabi::run

@@ -3,16 +3,13 @@
 // Options, and the choice between both.
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "answer/words.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
-#include "run/command/group_half_widths.hpp"
 #include "run/command/registrations.hpp"
-#include "run/command/sweep_points.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/results/result_reader.hpp"
 #include "run/results/sweep_result.hpp"
@@ -36,10 +33,6 @@ class Sweep final : public Subcommand {
   std::vector<std::string> remarks(CommandRun& run) override;
 
  private:
-  [[nodiscard]] std::vector<double> friction_points() const {
-    return options_.mu.empty() ? std::vector<double>() : sweep_points("--mu", options_.mu, false);
-  }
-
   SweepOptions options_;
   std::string csv_;
   std::string svg_;
@@ -49,15 +42,16 @@ class Sweep final : public Subcommand {
 
 void Sweep::describe(OptionTable& table) {
   table.problem(options_.input.file);
-  table.text("--mu", options_.mu, "POINTS",
-             "friction coefficients: START:END:STEP, or a list with commas");
+  table.points("--mu", options_.mu, above(0),
+               "friction coefficients: START:END:STEP, or a list with commas");
   table.number("--mu-max", &options_.mu_max, above(0),
                "largest friction coefficient; without --mu all steps up to it are listed");
   table.number("--width", &options_.width, above(0),
                "width of the bracket of the coefficient from which a pattern sticks");
   table
-      .text("--alpha", options_.alpha, "POINTS",
-            "half-widths of the uncertain loads of a truss: START:END:STEP, or a list with commas")
+      .points(
+          "--alpha", options_.alpha, at_least(0),
+          "half-widths of the uncertain loads of a truss: START:END:STEP, or a list with commas")
       .unit("in the file's unit of force");
   table.load_case(options_.load_case).needs("--alpha");
   table.group_alpha(options_.group_alpha).needs("--alpha");
@@ -73,23 +67,19 @@ void Sweep::describe(OptionTable& table) {
 }
 
 void Sweep::check() const {
-  group_half_widths(options_.group_alpha);
   const bool friction = !options_.mu.empty() || options_.mu_max;
   if (friction == !options_.alpha.empty()) {
     throw WrongInput(
         friction ? "--alpha: cannot be combined with a sweep of friction; expected --mu or --alpha"
                  : "the range of the sweep is missing; expected --mu, --mu-max or --alpha");
   }
-  if (!friction) {
-    sweep_points("--alpha", options_.alpha, true);
-    return;
-  }
-  const auto points = friction_points();
+  if (!friction) return;
+  const auto& points = options_.mu;
   if (options_.mu_max && !points.empty() && points.back() > *options_.mu_max) {
     throw WrongInput(fmt::format("--mu-max {}: expected no less than the last point of --mu, {}",
                                  *options_.mu_max, points.back()));
   }
-  const double maximum = options_.mu_max.value_or(points.empty() ? 0 : points.back());
+  const double maximum = options_.maximum();
   if (options_.width >= maximum || maximum > wedged::max_multiples * options_.width) {
     throw WrongInput(fmt::format("--width {}: expected a number below {} and above {}",
                                  options_.width, maximum, maximum / wedged::max_multiples));
@@ -97,19 +87,13 @@ void Sweep::check() const {
 }
 
 void Sweep::prepare(CommandRun& run) {
-  if (options_.alpha.empty()) {
-    auto points = friction_points();
-    const double maximum = options_.mu_max.value_or(points.empty() ? 0 : points.back());
-    swept_ = swept_friction(options_, std::move(points), maximum);
-  } else {
-    swept_ = swept_loads(options_, sweep_points("--alpha", options_.alpha, true));
-  }
+  swept_ = options_.alpha.empty() ? swept_friction(options_) : swept_loads(options_);
   swept_->prepare(run);
 }
 
 std::vector<Step> Sweep::results(CommandRun& run) {
   // Text and chart are made from the result file, as by later readers of it.
-  const ResultReader result(swept_->json(), "the result");
+  const ResultReader result(swept_->json(run), "the result");
   std::vector<Step> steps{run.result([json = result.all()] { return json; }),
                           run.file("--csv", [this](std::ostream& out) { swept_->write_csv(out); })};
   chart_ = sweep_chart(result, answer::headline(verdict()));

@@ -6,6 +6,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -19,15 +20,19 @@ namespace kusabi::run {
 /// Options as in the call.
 struct SweepOptions {
   ProblemInput input;
-  std::string mu;                ///< points of the friction coefficient; empty: none
+  std::vector<double> mu;        ///< friction coefficients; may be empty
   std::optional<double> mu_max;  ///< the largest coefficient
   double width = 1e-8;           ///< of the brackets of friction coefficients
-  std::string alpha;             ///< points of the uncertainty; empty: friction is swept
+  std::vector<double> alpha;     ///< half-widths; none: friction is swept
   std::string load_case;         ///< load case of a truss; empty: the file has one
-  std::string group_alpha;       ///< half-widths of groups of loads of a truss, which are not swept
-  bool prove = false;            ///< comparison of the counts with proved lists of patterns
+  /// Half-widths of groups of loads of a truss, which are not swept.
+  std::vector<std::pair<std::string, double>> group_alpha;
+  bool prove = false;  ///< comparison of the counts with proved lists of patterns
   engine::Limits limits;
   CheckpointChoice checkpoint;
+
+  /// The largest friction coefficient.
+  [[nodiscard]] double maximum() const { return mu_max.value_or(mu.empty() ? 0 : mu.back()); }
 };
 
 class Swept {
@@ -42,17 +47,14 @@ class Swept {
   virtual void search(CommandRun& run) = 0;
 
   // JSON of the answer, on rank 0.
-  [[nodiscard]] virtual nlohmann::ordered_json json() const = 0;
+  [[nodiscard]] virtual nlohmann::ordered_json json(CommandRun& run) const = 0;
   virtual void write_csv(std::ostream& out) const = 0;
   [[nodiscard]] virtual std::string table() const = 0;
   [[nodiscard]] virtual answer::Verdict verdict() const = 0;
 };
 
-/// @param points increasing; may be empty @param maximum the largest
-std::unique_ptr<Swept> swept_friction(const SweepOptions& options, std::vector<double> points,
-                                      double maximum);
-
-/// @param points increasing, at least one
-std::unique_ptr<Swept> swept_loads(const SweepOptions& options, std::vector<double> points);
+/// The options must outlive it.
+std::unique_ptr<Swept> swept_friction(const SweepOptions& options);
+std::unique_ptr<Swept> swept_loads(const SweepOptions& options);
 
 }  // namespace kusabi::run

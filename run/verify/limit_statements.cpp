@@ -61,8 +61,7 @@ std::vector<std::string> cases_for(const LimitStatement& statement,
 // The first load case that the statement refers to, or the reason why there is none.
 // @throws InputError if limit analysis applies to none
 std::variant<AgreedTruss, std::string> truss_of(const LimitStatement& statement,
-                                                const problems::CheckedStructure& structure,
-                                                const Eigen::VectorXd& residual) {
+                                                const problems::CheckedStructure& structure) {
   std::vector<std::string> whys;
   std::optional<support::InputError> fault;
   for (const auto& name : cases_for(statement, structure)) {
@@ -70,12 +69,11 @@ std::variant<AgreedTruss, std::string> truss_of(const LimitStatement& statement,
         name.empty() ? structure : problems::checked(problems::in_load_case(structure, name));
     const auto fingerprint = limit_fingerprint(of_case, fault);
     if (!fingerprint) continue;
-    auto truss = evidence::verified_structure(of_case);
+    if (statement.residual && !problems::has_struts(structure)) return no_struts;
+    auto truss = evidence::verified_structure(statement.residual ? problems::after_buckling(of_case)
+                                                                 : of_case);
     if (statement.claim == LimitClaim::minimum) {
       truss = verify::with_reversed_reference(std::move(truss));
-    }
-    if (statement.residual) {
-      if (auto why = set_residual(truss, residual)) return *std::move(why);
     }
     auto found = verify::limit_consistency(statement.evidence, truss);
     if (auto* const agreed = std::get_if<verify::LimitTruss>(&found))
@@ -99,13 +97,12 @@ struct Checking {
 // Truss of the certificate, or that of the structure; nothing if they disagree.
 std::optional<Checking> checking(const LimitStatement& statement,
                                  const std::optional<problems::CheckedStructure>& structure,
-                                 const Eigen::VectorXd& residual, const std::string& file,
-                                 CheckedStatement& checked) {
+                                 const std::string& file, CheckedStatement& checked) {
   auto truss = verify::recorded_truss(statement.evidence);
   auto names = statement.evidence.names;
   checked.load_case = statement.load_case;
   if (structure) {
-    auto found = truss_of(statement, *structure, residual);
+    auto found = truss_of(statement, *structure);
     if (const auto* why = std::get_if<std::string>(&found)) {
       checked.refusals.push_back(file + ": " + *why);
       return {};
@@ -126,7 +123,7 @@ void check_load(const Checking& at, CheckedStatement& checked) {
   auto& refusals = checked.refusals;
   if (at.statement.claim == LimitClaim::none) {
     if (!at.proof.shows_no_factor()) {
-      refusals.emplace_back("the motion does not prove that the load is not carried at any factor");
+      refusals.emplace_back("the motion does not show that the load is not carried at any factor");
     }
     return;
   }
@@ -213,18 +210,8 @@ std::optional<std::uint64_t> limit_fingerprint(const problems::CheckedStructure&
   }
 }
 
-std::optional<std::string> set_residual(verify::Structure& truss, const Eigen::VectorXd& residual) {
-  if (residual.size() == 0)
-    return "the claim is for residual strength, but no member of the problem file has `residual`; "
-           "expected the file that was analysed";
-  for (std::size_t i = 0; i < truss.bars.size(); ++i)
-    truss.bars[i].compression = residual(static_cast<Eigen::Index>(i));
-  return {};
-}
-
 CheckedStatements check_statements(CommandRun& run, const VerifyOptions& options,
                                    const std::optional<problems::CheckedStructure>& structure,
-                                   const Eigen::VectorXd& residual,
                                    std::span<const LimitStatement> statements) {
   CheckedStatements result;
   auto& all = result.statements;
@@ -236,7 +223,7 @@ CheckedStatements check_statements(CommandRun& run, const VerifyOptions& options
     checked.residual = statement.residual;
     checked.cuts = statement.evidence.cuts.size();
     checked.nodes = statement.evidence.nodes.size();
-    proofs.push_back(checking(statement, structure, residual, options.problem, checked));
+    proofs.push_back(checking(statement, structure, options.problem, checked));
     if (!proofs.back()) continue;
     check_load(*proofs.back(), checked);
     if (statement.claim == LimitClaim::none) continue;

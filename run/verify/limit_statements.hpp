@@ -42,17 +42,16 @@ struct CheckedStatements {
 std::optional<std::uint64_t> limit_fingerprint(const problems::CheckedStructure& structure,
                                                std::optional<support::InputError>& fault);
 
-/// Replaces the compression strengths by those after buckling.
-/// @return the refusal if there are none
-std::optional<std::string> set_residual(verify::Structure& truss, const Eigen::VectorXd& residual);
+/// Refusal of a claim for residual strength.
+inline constexpr const char* no_struts =
+    "the claim is for residual strength, but no member of the problem file has `residual`; "
+    "expected the file that was analysed";
 
 /// Proves all statements on all ranks, in pieces of one node.
 /// @param structure of the problem file to prove them for, if any
-/// @param residual compression strengths of the problem file after buckling, by member; empty: none
 /// @throws support::InputError if limit analysis does not apply to the structure
 CheckedStatements check_statements(CommandRun& run, const VerifyOptions& options,
                                    const std::optional<problems::CheckedStructure>& structure,
-                                   const Eigen::VectorXd& residual,
                                    std::span<const verify::LimitStatement> statements);
 
 }  // namespace kusabi::run

@@ -24,7 +24,7 @@ VerifyFindings refusal_of_certificate(const VerifyOptions& options, const std::s
 }
 
 std::string indefinite_stiffness(std::size_t motions) {
-  return fmt::format("K was not proved to be positive definite{}",
+  return fmt::format("K was not shown to be positive definite{}",
                      motions == 0 ? "" : " except for rigid-body modes of unconstrained bodies");
 }
 

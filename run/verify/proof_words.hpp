@@ -21,7 +21,7 @@ namespace kusabi::run {
 inline constexpr const char* large_displacements_column = "but for far motion";
 
 inline constexpr std::string_view truss_of_certificate =
-    "the truss is that of the certificate; --problem FILE proves the result for a problem file\n";
+    "the truss is that of the certificate; with --problem FILE the claim is about a problem file\n";
 
 /// Strengths of the claims after buckling. @param of_file as compared with a problem file
 constexpr std::string_view residual_strength(bool of_file) {

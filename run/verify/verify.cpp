@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 
 #include "problems/files/problem_text.hpp"
-#include "problems/files/sections/residual_strength.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/registrations.hpp"
@@ -107,14 +106,10 @@ void Verify::prepare(CommandRun& run) {
 
 // The first line identifies the kind of certificate.
 void Verify::search(CommandRun& run) {
-  const auto residual = [this]() -> Eigen::VectorXd {
-    if (!structure_) return {};
-    return problems::residual_strengths(problem_text_.toml, options_.problem, *structure_);
-  };
   if (text_.starts_with(verify::loss_first_words)) {
-    findings_ = verify_loss(run, options_, structure_, residual(), text_);
+    findings_ = verify_loss(run, options_, structure_, text_);
   } else if (text_.starts_with(verify::limit_first_words)) {
-    findings_ = verify_limit(run, options_, structure_, residual(), text_);
+    findings_ = verify_limit(run, options_, structure_, text_);
   } else if (text_.starts_with(verify::hold_first_words)) {
     findings_ = verify_hold(run, options_, structure_, text_);
   } else {

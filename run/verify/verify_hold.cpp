@@ -181,9 +181,9 @@ VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
                            const std::optional<problems::CheckedStructure>& structure,
                            const std::string& text) {
   if (!structure) {
-    throw WrongInput(fmt::format(
-        "{}: a certificate of loads is proved for a problem file; expected --problem FILE",
-        options.certificate));
+    throw WrongInput(
+        fmt::format("{}: a certificate of loads is about a problem file; expected --problem FILE",
+                    options.certificate));
   }
   const auto certificate = read_certificate_text(
       [&] { return verify::read_hold_certificate(text, options.certificate); });

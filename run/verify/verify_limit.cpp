@@ -2,6 +2,7 @@
 #include "run/verify/verify_limit.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -102,6 +103,12 @@ ProvedFactors factors_of(const std::vector<CheckedStatement>& statements) {
   return all;
 }
 
+// Infinite: none is proved.
+std::optional<support::Bound> bound(double proved) {
+  if (std::isinf(proved)) return {};
+  return support::Bound{proved, support::Standing::proved};
+}
+
 // Sentence about all cases together.
 answer::CertificateCheck::Factor factor_of(const std::vector<CheckedStatement>& statements) {
   const auto all = factors_of(statements);
@@ -111,10 +118,9 @@ answer::CertificateCheck::Factor factor_of(const std::vector<CheckedStatement>& 
                                           .cases = cases.size(),
                                           .at_none = all.at_none};
   if (all.at_none) return factor;
-  factor.lower = all.largest_lower;
-  factor.upper = all.largest_upper;
+  factor.largest = {bound(all.largest_lower), bound(all.largest_upper)};
   if (all.of_least || all.min_lower > all.largest_upper)
-    factor.minimum = std::pair(all.min_lower, all.min_upper);
+    factor.minimum = {bound(all.min_lower), bound(all.min_upper)};
   return factor;
 }
 
@@ -129,7 +135,6 @@ bool is_counterpart(const CheckedStatement& one, const CheckedStatement& other) 
 answer::CertificateCheck::Factor factor_of_struts(
     const std::vector<CheckedStatement>& at_strength,
     const std::vector<CheckedStatement>& after_buckling) {
-  constexpr double unknown = std::numeric_limits<double>::infinity();
   auto factor = factor_of(at_strength);
   factor.struts = true;
   const bool of_all = std::ranges::all_of(at_strength, [&](const auto& full) {
@@ -138,9 +143,8 @@ answer::CertificateCheck::Factor factor_of_struts(
                                [&](const auto& each) { return is_counterpart(each, full); });
   });
   const auto carried = factors_of(after_buckling);
-  factor.lower = of_all ? carried.largest_lower : -unknown;
-  if (factor.minimum)
-    factor.minimum->second = of_all && carried.of_least ? carried.min_upper : unknown;
+  factor.largest.lower = of_all ? bound(carried.largest_lower) : std::nullopt;
+  factor.minimum.upper = of_all && carried.of_least ? bound(carried.min_upper) : std::nullopt;
   return factor;
 }
 
@@ -169,10 +173,10 @@ std::vector<std::string> covered_cases(const std::vector<CheckedStatement>& stat
 
 VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
                             const std::optional<problems::CheckedStructure>& structure,
-                            const Eigen::VectorXd& residual, const std::string& text) {
+                            const std::string& text) {
   const auto recorded = read_certificate_text(
       [&] { return verify::read_limit_certificate(text, options.certificate); });
-  auto [statements, status] = check_statements(run, options, structure, residual, recorded);
+  auto [statements, status] = check_statements(run, options, structure, recorded);
   if (status != engine::Status::solved) return {.status = status};
   VerifyFindings findings;
   for (const auto& statement : statements) {
@@ -200,11 +204,11 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
   if (!after_buckling.empty()) {
     summary += cases_at_residual_text(statements, after_buckling);
     summary += fmt::format(
-        "all struts at their strength, an upper value: {}\nall struts at {}, PROVED: {}\n",
+        "all struts at their strength, an upper value: {}\nall struts at {}, {}\n",
         answer::factor_claim(factor_of(statements)), residual_strength(structure.has_value()),
-        answer::factor_claim(factor_of(after_buckling)));
+        answer::proved(answer::factor_claim(factor_of(after_buckling))));
   }
-  const bool struts = residual.size() > 0 || !after_buckling.empty();
+  const bool struts = !after_buckling.empty() || (structure && problems::has_struts(*structure));
   findings.check.claim =
       struts ? factor_of_struts(statements, after_buckling) : factor_of(statements);
   return findings;

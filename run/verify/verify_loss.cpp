@@ -45,10 +45,15 @@ std::vector<std::string> names_of(const LossStatement& statement,
   return names;
 }
 
+// The truss of a statement, with its strengths.
+verify::Structure truss_of(const LossStatement& statement, const problems::Structure& of_case) {
+  return evidence::verified_structure(statement.residual ? problems::after_buckling(of_case)
+                                                         : of_case);
+}
+
 // A statement without a load case is that of `limit --case`: it gets the name of the first case of
 // the file with its truss and loads. @throws support::InputError if limit analysis applies to none
-void name_case(const problems::CheckedStructure& structure, const Eigen::VectorXd& residual,
-               LossStatement& statement) {
+void name_case(const problems::CheckedStructure& structure, LossStatement& statement) {
   if (!statement.load_case.empty()) return;
   std::optional<support::InputError> fault;
   bool any = false;
@@ -56,8 +61,8 @@ void name_case(const problems::CheckedStructure& structure, const Eigen::VectorX
     const auto of_case = problems::in_chosen_case(structure, name);
     if (!limit_fingerprint(of_case, fault)) continue;
     any = true;
-    auto truss = evidence::verified_structure(of_case);
-    if (statement.residual && set_residual(truss, residual)) return;
+    if (statement.residual && !problems::has_struts(structure)) return;
+    auto truss = truss_of(statement, of_case);
     if (verify::LossClaim(statement, std::move(truss)).difference()) continue;
     statement.load_case = verify::on_one_line(name);
     return;
@@ -90,8 +95,7 @@ struct CheckedLoss {
 
 CheckedLoss check_statement(CommandRun& run, const VerifyOptions& options,
                             const LossStatement& statement,
-                            const std::optional<problems::CheckedStructure>& structure,
-                            const Eigen::VectorXd& residual) {
+                            const std::optional<problems::CheckedStructure>& structure) {
   std::optional<verify::Structure> truss;
   CheckedLoss checked;
   if (structure) {
@@ -99,12 +103,10 @@ CheckedLoss check_statement(CommandRun& run, const VerifyOptions& options,
     if (!loaded) return {.refusals = {no_such_case(options, statement.load_case)}};
     const auto of_case = problems::checked(*std::move(loaded));
     problems::limit_problem(of_case);
-    truss = evidence::verified_structure(of_case);
+    if (statement.residual && !problems::has_struts(*structure)) return {.refusals = {no_struts}};
+    truss = truss_of(statement, of_case);
     checked.as_given = statement.truss.uncertain->empty() && truss->uncertain.has_value() &&
                        !truss->uncertain->empty();
-    if (statement.residual) {
-      if (auto why = set_residual(*truss, residual)) return {.refusals = {*std::move(why)}};
-    }
   }
   const verify::LossClaim claim(statement, std::move(truss));
   if (const auto& why = claim.difference()) return {.refusals = {*why}};
@@ -131,12 +133,13 @@ void add(const LossStatement& statement, const CheckedLoss& checked,
   const double upper = checked.upper;
   all.uncertain = all.uncertain || !statement.truss.uncertain->empty();
   all.as_given = all.as_given || checked.as_given;
-  if (!statement.lower || !all.lower)
-    all.lower.reset();
-  else
-    all.lower = std::min(*all.lower, *statement.lower);
-  if (upper > all.upper || all.fatal) return;
-  all.upper = upper;
+  auto& [lower, least] = all.factor;
+  if (!statement.lower)
+    lower.reset();
+  else if (lower)
+    lower->value = std::min(lower->value, *statement.lower);
+  if (upper > least->value || all.fatal) return;
+  least->value = upper;
   all.fatal = statement.fatal;
   all.lost = names_of(statement, statement.lost, structure);
 }
@@ -172,27 +175,27 @@ std::string summary_of(const VerifyOptions& options, const std::vector<LossState
 
 VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
                            const std::optional<problems::CheckedStructure>& structure,
-                           const Eigen::VectorXd& residual, const std::string& text) {
+                           const std::string& text) {
   auto statements = read_certificate_text(
       [&] { return verify::read_loss_certificate(text, options.certificate); });
   for (auto& statement : statements) {
-    if (structure) name_case(*structure, residual, statement);
+    if (structure) name_case(*structure, statement);
   }
   const auto cases =
       static_cast<std::uint64_t>(std::ranges::count(statements, false, &LossStatement::residual));
   const auto after_buckling = statements.size() - cases;
   const auto& first = statements.front();
   VerifyFindings findings;
+  constexpr double unknown = std::numeric_limits<double>::infinity();
   const answer::CertificateCheck::Loss none{.maximum = first.maximum,
                                             .cases = cases,
                                             .load_case = cases == 1 ? first.load_case : "",
-                                            .lower = std::numeric_limits<double>::infinity(),
-                                            .upper = std::numeric_limits<double>::infinity(),
+                                            .factor = support::Bracket::proved(unknown, unknown),
                                             .sudden = first.sudden};
   std::array all{none, none};  // at strength, and at residual strength
   std::vector<HalfWidths> half_widths;
   for (const auto& statement : statements) {
-    const auto checked = check_statement(run, options, statement, structure, residual);
+    const auto checked = check_statement(run, options, statement, structure);
     auto refusals = checked.refusals;
     if (statement.residual && after_buckling != cases)
       refusals.emplace_back("some load cases have no claim at residual strength");
@@ -223,8 +226,8 @@ VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
                     answer::loss_claim(all[1]));
   }
   // The factor at strength bounds that of struts with a residual strength from outside only.
-  all[0].struts = after_buckling > 0 || residual.size() > 0;
-  if (all[0].struts) all[0].lower = after_buckling > 0 ? all[1].lower : std::nullopt;
+  all[0].struts = after_buckling > 0 || (structure && problems::has_struts(*structure));
+  if (all[0].struts) all[0].factor.lower = after_buckling > 0 ? all[1].factor.lower : std::nullopt;
   findings.check.claim = std::move(all[0]);
   return findings;
 }

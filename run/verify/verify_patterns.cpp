@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "answer/values.hpp"
+#include "answer/words.hpp"
 #include "engine/analysis/analysis.hpp"
 #include "nodes/evidence/verified_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
@@ -66,8 +67,8 @@ void write_subject(std::string& text, const VerifyOptions& options,
                  fmt::join(certificate.names, " "));
   if (!structure) {
     fmt::format_to(std::back_inserter(text),
-                   "K and the friction are those of the certificate; --problem FILE proves the "
-                   "result for a structure\n");
+                   "K and the friction are those of the certificate; with --problem "
+                   "FILE the claim is about a structure\n");
     return;
   }
   text +=
@@ -81,6 +82,7 @@ void write_subject(std::string& text, const VerifyOptions& options,
 void write_summary(std::string& text, const verify::Certificate& certificate,
                    const verify::Proof& proof, bool covered, std::size_t bounds,
                    const Verification::Tally& proved) {
+  const auto* const word = answer::standing_word(support::Standing::proved);
   fmt::format_to(std::back_inserter(text),
                  "K is positive definite{}; its eigenvalues are above {:.3g}\n",
                  certificate.motions == 0
@@ -100,17 +102,18 @@ void write_summary(std::string& text, const verify::Certificate& certificate,
     }
   }
   if (!certificate.bounds.empty())
-    fmt::format_to(std::back_inserter(text), "bounds: {} proved\n", bounds);
+    fmt::format_to(std::back_inserter(text), "bounds: {} {}\n", bounds, word);
   fmt::format_to(std::back_inserter(text),
-                 "cannot stick: {} proved{}\n"
-                 "sticks: {} proved\n",
-                 proved.infeasible, large_displacements_text(proved.except_large_displacements),
-                 proved.feasible);
+                 "cannot stick: {} {}{}\n"
+                 "sticks: {} {}\n",
+                 proved.infeasible, word,
+                 large_displacements_text(proved.except_large_displacements), proved.feasible,
+                 word);
   if (proved.unloaded > 0)
-    fmt::format_to(std::back_inserter(text), "a contact without a reaction: {} proved\n",
-                   proved.unloaded);
+    fmt::format_to(std::back_inserter(text), "a contact without a reaction: {} {}\n",
+                   proved.unloaded, word);
   if (proved.open() > 0)
-    fmt::format_to(std::back_inserter(text), "marginal: {} not proved\n", proved.open());
+    fmt::format_to(std::back_inserter(text), "marginal: {} open\n", proved.open());
 }
 
 // Signals stop it only if it can be resumed.

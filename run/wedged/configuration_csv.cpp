@@ -19,7 +19,7 @@ const char* component_name(int dimension, int axis) {
 }  // namespace
 
 void add_pattern_columns(CsvWriter& csv) {
-  csv.word("block").word("contact").word("separated").word("at_rest");
+  csv.word("block").word("contact").word("separated").word("inactive");
 }
 
 void add_pattern(CsvWriter& csv, const problems::WedgedProblem& problem, std::uint32_t block,

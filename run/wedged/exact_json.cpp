@@ -7,8 +7,8 @@ nlohmann::ordered_json exact_json(const wedged::ExactTest& test) {
   return {{"scale_ratio", test.scale_ratio},
           {"done", test.done},
           {"refused", test.refused},
-          {"doubted", test.closed_unproved},
-          {"ties", test.unproved}};
+          {"refused_needed", test.closed_unproved},
+          {"unproved", test.unproved}};
 }
 
 std::optional<answer::ExactRemainder> remainder_of(const wedged::ExactTest& test) {

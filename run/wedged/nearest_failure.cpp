@@ -6,9 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "answer/values.hpp"
 #include "problems/wedged/problem_block.hpp"
-#include "run/output/name_ranges.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "support/rounded_bounds.hpp"
 
@@ -16,7 +14,7 @@ namespace kusabi::run {
 namespace {
 
 // Relative tolerance: the cone program makes several inequalities equally near; the one with the
-// highest friction utilisation is reported, and those that slip with it.
+// highest friction utilisation is reported.
 constexpr double alike = 1.01;
 
 // State of one candidate.
@@ -82,30 +80,22 @@ NearestFailure nearest_failure(const problems::WedgedProblem& problem, double co
   const auto d = static_cast<std::size_t>(problem.dimension);
   const auto r = of_all_candidates(problem, block, reaction);
   const auto u = of_all_candidates(problem, block, displacement);
-  const auto needed = [&](int i) {
-    const auto here = local(r, u, d, i);
-    const double cone = relative_friction(problem, i) * here.normal_reaction;
-    return cone > 0 ? here.tangential_reaction / cone : 0.0;
-  };
   NearestFailure nearest;
+  nearest.need = friction_need(problem, block, pattern.contact, reaction);
   for (const int i : pattern.contact) {
     const auto here = local(r, u, d, i);
     const double phi = relative_friction(problem, i);
     const double cone = (phi == 0 ? 1 : coefficient * phi) * here.normal_reaction;
-    take_if_nearer(nearest.contact, {.candidate = i,
-                                     .amount = cone - here.tangential_reaction,
-                                     .used = needed(i) / coefficient});
-    nearest.holds_from = std::max(nearest.holds_from, needed(i));
-  }
-  for (const int i : pattern.contact) {
-    if (needed(i) > 0 && needed(i) * alike > nearest.holds_from) nearest.slips_there.push_back(i);
+    const double used = phi * here.normal_reaction > 0 ? here.tangential_reaction / cone : 0;
+    take_if_nearer(nearest.contact,
+                   {.candidate = i, .amount = cone - here.tangential_reaction, .used = used});
   }
   for (const int j : pattern.separated)
     take_if_nearer(nearest.gap, {.candidate = j, .amount = local(r, u, d, j).gap, .used = 0});
   if (nearest.contact && nearest.gap) {
     const auto own = problems::block_problem(problem, problems::blocks_of(problem)[block]);
-    nearest.gap_first = nearest.gap->amount * alike <
-                        nearest.contact->amount * problems::mean_normal_compliance(own);
+    nearest.gap_first =
+        nearest.gap->amount * alike < nearest.contact->amount * problems::margin_unit(own);
   }
   return nearest;
 }
@@ -120,16 +110,7 @@ std::string nearest_failure_text(const problems::WedgedProblem& problem,
     const auto gap = gap_text(problem, *nearest.gap);
     text = nearest.gap_first ? gap + "; " + text : text + "; " + gap;
   }
-  text = fmt::format("If the normal reactions sum to {}, {}.", scale, text);
-  if (nearest.holds_from == 0) return text + " This configuration needs no friction.";
-  support::IndexSet slips;
-  for (const int i : nearest.slips_there) slips |= support::IndexSet::single(i);
-  return fmt::format(
-      "{} This configuration needs a friction coefficient of at least {}{}; with less, {} {}.",
-      text, support::rounded_down(nearest.holds_from),
-      answer::of_each_candidate(!problems::uniform_friction(problem)),
-      with_ranges(candidate_names(problem, slips)),
-      nearest.slips_there.size() == 1 ? "slips" : "slip");
+  return fmt::format(" If the normal reactions sum to {}, {}.", scale, text);
 }
 
 }  // namespace kusabi::run

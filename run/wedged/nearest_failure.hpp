@@ -4,10 +4,10 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "nodes/wedged/relaxation/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
+#include "run/wedged/contact_words.hpp"
 
 namespace kusabi::run {
 
@@ -22,10 +22,7 @@ struct NearestFailure {
   std::optional<Slack> contact;  ///< least mu r_n - |r_t| of the candidates in contact
   std::optional<Slack> gap;      ///< least u_n of the separated candidates
   bool gap_first = false;        ///< true if the gap is the margin t*, in the units of t*
-  /// Least coefficient at which this configuration holds: the largest |r_t| / (phi r_n). The
-  /// pattern may be feasible below with another configuration.
-  double holds_from = 0;
-  std::vector<int> slips_there;  ///< candidates on their friction cones at this coefficient
+  FrictionNeed need;             ///< the pattern may be feasible below with another configuration
 };
 
 /// @param coefficient mu_i = coefficient x phi_i
@@ -36,8 +33,8 @@ NearestFailure nearest_failure(const problems::WedgedProblem& problem, double co
                                std::span<const double> reaction,
                                std::span<const double> displacement);
 
-/// Sentences: the inequality with the least margin and its slack, the nearest inequality of the
-/// other kind, and the coefficient from which on the configuration holds.
+/// " If the normal reactions sum to 1 kN, …": the inequality with the least margin and its slack,
+/// and the nearest inequality of the other kind.
 std::string nearest_failure_text(const problems::WedgedProblem& problem,
                                  const NearestFailure& nearest);
 

@@ -140,7 +140,7 @@ ordered_json pattern_json(const problems::WedgedProblem& problem, std::uint32_t 
   json["contact"] = candidate_names(problem, pattern.contact);
   json["separated"] = candidate_names(problem, pattern.separated);
   const auto all_inactive = pattern.inactive | inactive;
-  if (!all_inactive.empty()) json["at_rest"] = candidate_names(problem, all_inactive);
+  if (!all_inactive.empty()) json["inactive"] = candidate_names(problem, all_inactive);
   return json;
 }
 

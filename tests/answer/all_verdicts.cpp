@@ -101,10 +101,14 @@ void add_holding_brackets(std::vector<AnyAnswer>& all) {
     all.push_back(HoldingBracket{.maximum = 1000, .reason = reason});
 }
 
+HoldingFactors::Interval interval(double low, double high, Standing standing) {
+  return {standing, {std::nullopt, Bound{low, standing}}, {Bound{high, standing}, std::nullopt}};
+}
+
 void add_grips(std::vector<AnyAnswer>& all) {
-  HoldingFactors factors{.friction = 0.4, .intervals = {{.low = -1, .high = 2}}};
+  HoldingFactors factors{.friction = 0.4, .intervals = {interval(-1, 2, Standing::proved)}};
   for (const auto standing : {Standing::computed, Standing::proved}) {
-    factors.grip = HoldingGrip{.held = false, .held_standing = standing};
+    factors.grip = HoldingGrip{.held = false, .standing = standing};
     all.push_back(factors);
     HoldingGrip grip{.minimum = {Bound{3, standing}, Bound{4, Standing::proved}}};
     for (const bool unbounded : {false, true}) {
@@ -139,7 +143,6 @@ void add_diagrams(std::vector<AnyAnswer>& all) {
 }
 
 void add_holding(std::vector<AnyAnswer>& all) {
-  const double end = std::numeric_limits<double>::infinity();
   for (const auto standing : {Standing::computed, Standing::proved}) {
     for (const bool open : {false, true}) {
       for (const bool reference : {false, true}) {
@@ -147,22 +150,26 @@ void add_holding(std::vector<AnyAnswer>& all) {
             .friction = 0.4, .of_reference = reference, .outside = standing, .open = open};
         HoldingFactors held = none;
         held.friction = 0.5;
-        held.intervals = {{.low = -end, .high = end, .standing = standing}};
+        held.intervals = {{.standing = standing}};
+        HoldingFactors other = none;
+        other.friction = 0.45;
         HoldingFactors some = held;
         some.friction = 0.45;
         some.load_case = "wind";
         some.total = 2;
-        some.intervals = {{.low = -1, .high = 2, .standing = standing}};
+        some.intervals = {interval(-1, 2, standing)};
         all.insert(all.end(), {none, held});
         if (reference) all.push_back(some);
         for (const std::uint64_t requested : {3U, 4U})
           all.push_back(HoldingSweep{.requested = requested,
-                                     .points = {none, reference ? some : none, held}});
+                                     .points = {none, reference ? some : other, held}});
       }
     }
   }
   for (const auto reason : {HoldReason::supports, HoldReason::unbalanced})
-    all.push_back(HoldingSweep{.requested = 2, .points = {2, HoldingFactors{.reason = reason}}});
+    all.push_back(HoldingSweep{.requested = 2,
+                               .points = {HoldingFactors{.friction = 0.1, .reason = reason},
+                                          HoldingFactors{.friction = 0.2, .reason = reason}}});
   all.push_back(HoldingSweep{.requested = 2});
 }
 
@@ -275,7 +282,8 @@ void add_certificates(std::vector<AnyAnswer>& all) {
                                                                     .except_large_displacements = 1,
                                                                     .displacement_ratio = 1e6}});
     all.push_back(CertificateCheck{refusals, CertificateCheck::Example{.patterns = 1}});
-    all.push_back(CertificateCheck{refusals, CertificateCheck::Factor{.lower = 1, .upper = 1.1}});
+    all.push_back(
+        CertificateCheck{refusals, CertificateCheck::Factor{.largest = Bracket::proved(1, 1.1)}});
   }
   for (const bool agrees : {false, true}) all.push_back(Measurement{agrees});
 }
@@ -303,7 +311,7 @@ std::vector<Verdict> all_verdicts() {
       for (const bool more : {false, true}) {
         Verdict verdict{.ended = ended, .nodes_left = ended == solved ? 0U : 3U, .answer = answer};
         if (more) {
-          verdict.details = {"It sticks there in pattern number 1."};
+          verdict.details = {"One way is pattern 1, with contact at tip."};
           verdict.missing = {"No certificate was written."};
           verdict.warnings = {"a.toml:3:1: a load is not part of the question"};
         }

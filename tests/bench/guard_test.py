@@ -61,8 +61,8 @@ class Comparison(unittest.TestCase):
                              [f"small: ranks.opened 237 before, {nodes} now"])
 
     def test_a_count_that_appears_or_disappears_fails(self):
-        self.assertEqual(self.failures(run(counts=COUNTS | {"ranks.climbed": 1})),
-                         ["small: ranks.climbed 0 before, 1 now"])
+        self.assertEqual(self.failures(run(counts=COUNTS | {"ranks.escalated": 1})),
+                         ["small: ranks.escalated 0 before, 1 now"])
         self.assertEqual(self.failures(run(counts={"ranks.opened": 237})),
                          ["small: blocks.bound_programs 540 before, 0 now"])
 
@@ -122,13 +122,14 @@ class Reading(unittest.TestCase):
         searches = [{"phase": "dive", "friction": 0.5, "programs": 2}]
         blocks = [{"bound_programs": 5}, {"bound_programs": 6}]
         result = {"statistics": {"ranks": ranks, "searches": searches},
-                  "result": {"count": 9, "proved": True, "blocks": blocks}}
+                  "result": {"count": 9, "wide": True, "blocks": blocks}}
         self.assertEqual(measure.work(result),
                          {"ranks.opened": 7, "searches.programs": 2, "blocks.bound_programs": 11})
 
     def test_a_bracket_must_be_proved_narrow_and_contain_the_truth(self):
         def said(low, high, proved=True):
-            ends = {"lower": low, "upper": high, "lower_proved": proved, "upper_proved": True}
+            ends = {"lower": {"value": low, "standing": "proved" if proved else "computed"},
+                    "upper": {"value": high, "standing": "proved"}}
             return bracket("ends", 0.5)({"status": "solved", "result": {"ends": ends}}, "")
         right = "solved, proved to 1e-06, 0.5"
         self.assertEqual(said(0.5 - 1e-7, 0.5 + 1e-7), right)

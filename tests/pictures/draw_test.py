@@ -9,7 +9,7 @@ import sys
 import xml.etree.ElementTree
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
-from kusabi_case import KusabiCase, main, nested, without  # noqa: E402: beside the folder of this file
+from kusabi_case import KusabiCase, main, nested, with_ends, without  # noqa: E402: beside the folder of this file
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -74,7 +74,7 @@ class Draw(KusabiCase):
         return found
 
     def text(self, root):
-        return "\n".join(element.text or "" for element in root.iter(SVG + "text"))
+        return "\n".join(element.text or "" for element in root.iter(SVG + "text")).replace("\u00a0", " ")
 
     def test_draws_a_pattern_of_a_plane_truss(self):
         result = self.solve("patterns", "plane-truss.toml", "--mu", 0.8)
@@ -199,14 +199,14 @@ class Draw(KusabiCase):
             drawn = [line for line in with_class(group(root, "moved"), "line", kind)]
             self.assertEqual(len(drawn), yielding.count(kind))
         self.assertEqual(len(with_class(root, "line", "dead")), len(answer["critical_load"]) + 1)
-        self.assertIn(f"λ = {answer['worst_case']['upper']:.10g}", self.text(root))
+        self.assertIn(f"λ = {answer['worst_case']['upper']['value']:.10g}", self.text(root))
 
     def check_sweep(self, name, *words):
         """The chart equals the one drawn by the sweep, and its curve matches the result. @return the result"""
         result = self.solve("sweep", name, *words, "--svg", self.folder / "own.svg")["result"]
         root = self.draw()
         self.assertEqual((self.folder / "out.svg").read_text(), (self.folder / "own.svg").read_text())
-        (curve, _) = with_class(root, "polyline", "curve")  # the legend has one more
+        curve = with_class(root, "polyline", "curve")[0]
         return result, [tuple(map(float, each.split(","))) for each in curve.get("points").split()]
 
     def check_scale(self, drawn, expected):
@@ -231,6 +231,77 @@ class Draw(KusabiCase):
         self.assertEqual(len(drawn), len(corners))
         for axis in (0, 1):
             self.check_scale([place[axis] for place in drawn], [corner[axis] for corner in corners])
+
+    def corners(self, element):
+        return [tuple(map(float, corner.split(","))) for corner in element.get("points").split()]
+
+    def test_an_open_point_of_a_sweep_is_drawn_from_its_lower_to_its_upper_bound(self):
+        result = self.solve("sweep", "gust.toml", "--alpha", "0:0.6:0.2")
+        point = result["result"]["points"][1]
+        point["lower"]["value"] -= 1
+        self.result.write_text(json.dumps(result))
+        lines = [self.corners(each) for each in with_class(self.draw(), "polyline", "s1")[:-1]]
+        heights = [abs(a[1] - b[1]) for a, b in lines]
+        self.assertGreater(heights.pop(1), 20)
+        self.assertLess(max(heights), 0.1)
+
+    def test_paints_no_load_that_is_not_held_between_two_coefficients(self):
+        # The heaviest climber of the ladder grows faster and faster with friction, by statics.
+        mus = [0.4, 0.45, 0.55]
+        points = self.solve("hold", "ladder.toml", "--mu", ",".join(map(str, mus)))["result"]["points"]
+        root = self.draw()
+        bars = [self.corners(each) for each in with_class(root, "polyline", "thick")[:-1]]  # the legend has one more
+        ends = [(each["friction"], with_ends(each["intervals"][0])[end]) for each in points for end in ("low", "high")]
+        drawn = [place for bar in bars for place in bar]
+        for axis in (0, 1):
+            self.check_scale([place[axis] for place in drawn], [end[axis] for end in ends])
+        (x0, y0), (x1, y1) = drawn[0], drawn[-1]
+        (mu0, low), (mu1, high) = ends[0], ends[-1]
+        right = max(float(line.get("x2")) for line in with_class(root, "line", "grid"))
+        areas = [self.corners(each) for each in with_class(root, "polygon", "area")]
+        self.assertEqual(len(areas), len(mus))
+        self.assertAlmostEqual(max(x for area in areas for x, _ in area), right)
+        for x, y in (corner for area in areas for corner in area):
+            middle = lambda mu: (mu * mu + mu * 4 / 3) / (1 + mu * mu)
+            mu = mu0 + (mu1 - mu0) * (x - x0) / (x1 - x0)
+            factor = low + (high - low) * (y - y0) / (y1 - y0)
+            self.assertGreater(factor, -0.625 - 0.01)
+            if middle(mu) < 0.8:  # else any climber is held
+                self.assertLess(factor, (middle(mu) - 0.5) / (0.8 - middle(mu)) + 0.01)
+
+    def test_loads_without_an_end_run_to_the_frame(self):
+        points = self.solve("hold", "peg-under-load.toml", "--mu", "0.3,0.4,1.4")["result"]["points"]
+        root = self.draw()
+        heights = [float(line.get("y1")) for line in with_class(root, "line", "grid")]
+        tips = [self.corners(each)[0][1] for each in with_class(root, "polygon", "arrow")]
+        unbounded = [[with_ends(each)[end] for point in points for each in point["intervals"]].count(None) for end in ("low", "high")]
+        self.assertEqual([tips.count(max(heights)), tips.count(min(heights))], unbounded)
+        self.assertEqual(len(tips), sum(unbounded))
+        self.assertIn("arrow: no end", self.text(root))
+        # The rays of a piece lead to the frame, where it has no edge.
+        pieces = self.solve("hold", "peg-under-two-loads.toml", "--mu", 0.5, "--diagram")["result"]["pieces"]
+        self.assertTrue(all(each["rays"] for each in pieces))
+        root = self.draw()
+        grid = with_class(root, "line", "grid")
+        sides = [(max if i % 2 else min)(float(line.get(end)) for line in grid for end in (f"{axis}1", f"{axis}2"))
+                 for i, axis in enumerate("xxyy")]
+        on_frame = lambda a, b: any(abs(a[i // 2] - side) + abs(b[i // 2] - side) < 0.1 for i, side in enumerate(sides))
+        areas = [self.corners(each) for each in with_class(root, "polygon", "area")]
+        self.assertGreater(len(areas), 2)
+        for area in areas:
+            self.assertTrue(any(on_frame(a, b) for a, b in zip(area, area[1:] + area[:1])))
+        for edge in with_class(root, "line", "edge"):
+            ends = [tuple(float(edge.get(axis + end)) for axis in "xy") for end in "12"]
+            self.assertFalse(on_frame(*ends), ends)
+        self.assertEqual(self.text(root).count("; no end"), len(areas))
+
+    def test_long_sentences_are_broken_at_blanks(self):
+        result = self.solve("hold", "peg-under-load.toml", "--mu", ",".join(f"0.{i}" for i in range(30, 60, 3)))
+        lines = [each.text for each in with_class(self.draw(), "text", "line")]
+        lines = lines[:next(i for i, line in enumerate(lines) if line.replace(".", "").isdigit())]  # ticks
+        self.assertEqual(" ".join(lines), result["verdict"]["sentence"])
+        self.assertGreater(len(lines), 1)
+        self.assertLessEqual(max(map(len, lines)), 122)
 
     def test_refuses_a_sweep_without_results(self):
         self.solve("sweep", "space-truss.toml", "--mu", 0.8, "--node-limit", 3)

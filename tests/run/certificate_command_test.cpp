@@ -224,7 +224,7 @@ TEST_F(PatternsCertificate, IsCompletedByAResumedRun) {
   const auto stopped =
       shell(ranks(2) + call + with + " --node-limit 300 --resume " + argument("state"));
   EXPECT_EQ(stopped.exit_code, 3) << stopped.output;
-  EXPECT_THAT(stopped.output, HasSubstr("the proofs so far are in " + in_folder("cert.part.*")));
+  EXPECT_THAT(stopped.output, HasSubstr("the evidence so far is in " + in_folder("cert.part.*")));
   EXPECT_THAT(files(), testing::IsSupersetOf({"cert.part.1.0", "cert.part.1.1"}));
   // Refused: a new search, and another name of the certificate.
   const auto anew = shell(call + with);

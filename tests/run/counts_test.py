@@ -64,8 +64,7 @@ class Counts(KusabiCase):
             with self.subTest(count):
                 said, result = self.asked("patterns", count, "--mu", 2)
                 self.assertEqual(result["count"], str(4 ** count))
-                self.assertAlmostEqual(result["count_log10"], count * math.log10(4), places=12)
-                self.assertNotIn("cannot stick", said)
+                self.assertNotIn("It cannot stick", said)
                 if count <= 32:
                     self.assertIn(f"It can stick in {4 ** count} ways", said)
                 self.assertEqual(kusabi.load(self.result).answer["count"], 4 ** count)

@@ -77,7 +77,7 @@ TEST_F(CriticalCommand, FindsThePatternOfTheUpperBoundWithoutATree) {
     const auto run = shell(launcher + command + " critical " + file + " --node-limit 10 --output " +
                            quoted(result));
     EXPECT_EQ(run.exit_code, 3) << run.output;
-    return nlohmann::json::parse(content(result))["result"]["critical_friction"]["upper"];
+    return nlohmann::json::parse(content(result))["result"]["critical_friction"]["upper"]["value"];
   };
   const auto upper = upper_on("");
   EXPECT_NEAR(upper.get<double>(), 0.54124225, 1e-8);
@@ -160,8 +160,8 @@ normal = [1.0, 0.3]
     EXPECT_EQ(run.exit_code, 0) << run.output;
     EXPECT_THAT(run.output,
                 HasSubstr("It cannot stick below friction coefficient 1.0624; at 1.0626 "
-                          "it can (computed, not proved). It sticks there in pattern "
-                          "number 1 (in contact: c"));
+                          "it can (computed, not proved). One way is pattern 1, with contact at "
+                          "c"));
     EXPECT_THAT(run.output, HasSubstr("some inequality may hold only as an equality"));
   }
 }

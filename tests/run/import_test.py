@@ -58,7 +58,7 @@ class Imports(KusabiCase):
         run = self.kusabi("critical", problem, "--output", output)
         self.assertEqual(run.returncode, 0, run.stderr)
         answer = json.loads(output.read_text())["result"]["critical_friction"]
-        return answer["lower"], answer["upper"]
+        return answer["lower"]["value"], answer["upper"]["value"]
 
     def test_a_file_written_through_a_link_names_the_deck(self):
         (self.folder / "deep" / "er").mkdir(parents=True)

@@ -56,9 +56,9 @@ TEST_F(MipSearch, HasTheSameResultOnAnyNumberOfRanks) {
               without_statistics(in_folder("1.json")));
   }
   const auto result = nlohmann::json::parse(content(in_folder("1.json")));
-  EXPECT_EQ(result["result"]["answer"], "optimal");
-  EXPECT_EQ(result["result"]["proved"], true);
-  EXPECT_EQ(result["result"]["bound"], result["result"]["objective"]);
+  EXPECT_EQ(result["result"]["state"], "optimal");
+  EXPECT_EQ(result["result"]["standing"], "proved");
+  EXPECT_EQ(result["result"]["bound"]["value"], result["result"]["objective"]);
   EXPECT_GT(result["statistics"]["opened"], 20);
   // Another tree, another order, cuts: the same optimum.
   for (const std::string way : {"--branching look-ahead --no-dive",
@@ -84,7 +84,7 @@ TEST_F(MipSearch, ResumesAfterAStop) {
             without_statistics(in_folder("whole.json")));
   // No point is better than the bound of the part, nor worse than its point.
   const auto whole = nlohmann::json::parse(content(in_folder("whole.json")));
-  EXPECT_GE(part["result"]["bound"], whole["result"]["objective"]);
+  EXPECT_GE(part["result"]["bound"]["value"], whole["result"]["objective"]);
 }
 
 TEST_F(MipSearch, ReportsProgramsWithoutAnOptimum) {

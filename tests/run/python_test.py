@@ -49,8 +49,8 @@ class Python(KusabiCase):
         kept = self.folder / "kept.json"
         result = kusabi.run("mip", SOURCES / "tests" / "programs" / "knapsack.lp", cuts="disjunctive", no_tighten=True,
                             no_dive=False, time_limit=None, output=kept)
-        self.assertEqual(result["options"], {"cuts": "disjunctive", "branching": "paper", "tighten": False,
-                                             "dive": True})
+        self.assertEqual(result["options"], {"cuts": "disjunctive", "branching": "paper", "order": "depth-first",
+                                             "no_tighten": True, "no_dive": False})
         self.assertEqual(kusabi.load(kept), result)
         class Float64(float):
             """As in NumPy 2."""

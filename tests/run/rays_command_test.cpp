@@ -93,7 +93,7 @@ TEST_F(RaysCommand, ChoosesTheSameMethodOnAnyNumberOfRanks) {
     const std::string call = command + " rays " + quoted(file) + " --mu 0.65 --quiet --output ";
     const auto alone = in_folder("alone.json");
     ASSERT_EQ(shell(call + quoted(alone)).exit_code, 0);
-    EXPECT_EQ(nlohmann::json::parse(content(alone))["options"]["method"], method);
+    EXPECT_EQ(nlohmann::json::parse(content(alone))["statistics"]["method"], method);
     for (int count = 2; count <= (test::thorough ? 3 : 2); ++count) {
       const auto parallel = in_folder("parallel.json");
       const auto run = shell(ranks(count) + call + quoted(parallel));
@@ -200,6 +200,27 @@ TEST_F(RaysCommand, RefusesRaysInSpaceAndNamesAnotherSubcommand) {
   const auto on_two = shell(ranks(2) + command + " rays " + truss + " --mu 0.65");
   EXPECT_EQ(on_two.exit_code, 2);
   EXPECT_THAT(on_two.output, HasSubstr("dimension is 3; expected 2"));
+}
+
+TEST_F(RaysCommand, ProvesTheMaximalConesOrThatThereIsNoRay) {
+  const auto verdict_of = [&](const std::string& words) {
+    const auto run =
+        shell(command + " rays " + words + " --prove --output " + argument("rays.json"));
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    return std::pair(nlohmann::json::parse(content(in_folder("rays.json"))), run.output);
+  };
+  const auto [found, table] = verdict_of(plane_truss + " --mu 0.8");
+  const auto& answer = found["result"];
+  EXPECT_EQ(answer["proved_cones"], found["result"]["cones"].size());
+  EXPECT_EQ(answer["standing"], "computed");  // of the rays in them
+  EXPECT_THAT(table, HasSubstr(fmt::format("in {} maximal cones (proved)",
+                                           found["result"]["cones"].size())));
+  const auto page = shell(command + " report " + argument("rays.json"));
+  EXPECT_THAT(page.output, HasSubstr("Exact arithmetic proves that the rays are in"));
+  const auto [none, sentence] = verdict_of(plane_truss + " --mu 0.45");
+  EXPECT_EQ(none["result"]["standing"], "proved");
+  EXPECT_EQ(none["result"]["grounds"], "exact-arithmetic");
+  EXPECT_THAT(sentence, HasSubstr("It cannot stick at friction coefficient 0.45."));
 }
 
 TEST_F(RaysCommand, StopsTheTreeAtALimitWithAPartialAnswer) {

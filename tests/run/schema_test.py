@@ -72,21 +72,21 @@ OPTIONAL = {
     "contact": {"t2"},
 }
 OPTIONAL_OF = {
-    "patterns": {"result": {"candidates"}, "patterns": {"block", "at_rest", "axial_forces"},
-                 "candidates": {"block", "at_rest", "margin"}},
-    "rays": {"result": {"tree", "motions"}, "cones": {"motions"}, "rays": {"axial_forces"}},
-    "critical": {"patterns": {"block", "at_rest", "axial_forces"}, "pattern": {"block", "at_rest", "axial_forces"},
+    "patterns": {"result": {"candidates", "example"}, "patterns": {"block", "inactive", "axial_forces"},
+                 "candidates": {"block", "inactive", "margin"}},
+    "rays": {"result": {"tree", "motions", "proved_cones"}, "cones": {"motions"}, "rays": {"axial_forces"}},
+    "critical": {"patterns": {"block", "inactive", "axial_forces"},
                  # depending on the method
-                 "statistics": {"ranks"}, "ranks": {"branched", "dead", "leaves", "doubtful", "iterations"}},
-    "limit": {"options": {"curve_load", "group_alpha", "case", "lose", "at_least", "sudden", "keep"}, "member_loss": {"forces", "critical_parameters"}, "struts": {"lower", "upper", "proved", "guaranteed_interval", "member_loss"}, "uncertain_loads": {"half_width"}, "cases": {"worst_case", "member_loss"}, "answer": {"kept", "struts", "sudden"}, "statistics": {"nodes", "corners", "tree_programs", "zero_one", "member_loss"},
+                 "statistics": {"ranks"}, "ranks": {"branched", "infeasible", "leaves", "undecided", "iterations"}},
+    "limit": {"member_loss": {"forces", "critical_parameters"}, "struts": {"worst_case", "guaranteed_interval", "member_loss"}, "uncertain_loads": {"half_width"}, "cases": {"worst_case", "member_loss"}, "statistics": {"nodes", "corners", "tree_programs", "zero_one", "member_loss"},
               "lower": {"critical_parameters"}, "upper": {"critical_parameters"},
-              "result": {"guaranteed_interval", "member_loss", "struts", "zero_one", "case", "cases", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
-    "sweep": {"result": {"curve_end"}, "points": {"guaranteed_interval"}, "patterns": {"block", "at_rest"}, "open": {"block", "at_rest"}},
-    "mip": {},
-    "hold": {"structure": {"reference_loads"}, "result": {"points"}},
+              "result": {"kept", "reference_action", "guaranteed_interval", "member_loss", "struts", "zero_one", "case", "cases", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
+    "sweep": {"result": {"curve_end"}, "points": {"guaranteed_interval"}, "patterns": {"block", "inactive"}, "open": {"block", "inactive"}},
+    "mip": {"result": {"columns"}},
+    "hold": {"structure": {"reference_loads"}},
 }
-# keys are names of the problem
-NAMED = {"group_alpha", "support_reactions", "nominal_support_reactions", "columns", "reactions"}
+# keys are names of options, or of the problem
+NAMED = {"options", "support_reactions", "nominal_support_reactions", "columns", "reactions"}
 
 
 def places(value, way=(), name=""):
@@ -123,6 +123,9 @@ class Schema(KusabiCase):
             result = self.solve(command, name, *words)
             for error in self.schema.iter_errors(result):
                 self.fail(f"{list(error.absolute_path)}: {error.message[:200]}")
+            manual = self.kusabi("help", command).stdout
+            for option in result["options"]:
+                self.assertIn(f"  --{option.replace('_', '-')} ", manual.replace("\n", " "))
             return result
 
     def check_wedged(self, command, which):
@@ -140,7 +143,7 @@ class Schema(KusabiCase):
     def test_accepts_results_of_patterns(self):
         self.check_wedged("patterns", 0)
         result = self.check("patterns", "../tests/cases/plane_truss_and_post.toml", ("--mu", 0.5))
-        self.assertTrue(result["result"]["patterns"][0]["at_rest"])
+        self.assertTrue(result["result"]["patterns"][0]["inactive"])
         result = self.check("patterns", "plane-truss.toml", ("--mu", 0.8, "--probe", 2))
         self.assertEqual(result["options"]["probe"], 2)
         self.assertGreater(result["result"]["tree"]["probed"], 0)

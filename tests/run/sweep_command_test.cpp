@@ -94,9 +94,9 @@ TEST_F(SweepCommand, VariesTheLoadsWithoutAHalfWidthInTheFile) {
   const auto result = document_of("sweep " + file + " --alpha 0:1:0.5")["result"];
   ASSERT_EQ(result["points"].size(), 3U);
   for (const auto& point : result["points"]) {
-    EXPECT_EQ(point["proved"], true);
+    EXPECT_EQ(point["standing"], "proved");
     for (const auto* end : {"lower", "upper"})
-      EXPECT_NEAR(point[end].get<double>(), 2.75 - point["alpha"].get<double>(), 1e-8);
+      EXPECT_NEAR(point[end]["value"].get<double>(), 2.75 - point["alpha"].get<double>(), 1e-8);
   }
   EXPECT_TRUE(result["curve"].empty());
   const auto drawn =
@@ -123,7 +123,7 @@ TEST_F(SweepCommand, AgreesWithLimitAtEachPoint) {
   for (const auto& point : result["points"]) {
     const auto call = fmt::format("limit {} --alpha {}", file, point["alpha"].get<double>());
     const auto own = document_of(call)["result"]["worst_case"];
-    for (const auto* key : {"lower", "upper", "proved"}) EXPECT_EQ(point[key], own[key]);
+    for (const auto* key : {"lower", "upper", "standing"}) EXPECT_EQ(point[key], own[key]);
   }
   const auto curve = document_of("limit " + file + " --alpha 40 --curve")["result"]["worst_curve"];
   ASSERT_EQ(result["curve"].size(), curve.size());
@@ -161,8 +161,8 @@ TEST_F(SweepCommand, RefusesInvalidPoints) {
   const auto file = file_of("two-bars.toml");
   EXPECT_THAT(refusal(file), HasSubstr("expected --mu, --mu-max or --alpha"));
   EXPECT_THAT(refusal(file + " --mu 1 --alpha 1"), HasSubstr("expected --mu or --alpha"));
-  EXPECT_THAT(refusal(file + " --mu 1,x"), HasSubstr("--mu '1,x': expected START:END:STEP"));
-  EXPECT_THAT(refusal(file + " --mu 1:2"), HasSubstr("--mu '1:2': expected START:END:STEP"));
+  EXPECT_THAT(refusal(file + " --mu 1,x"), HasSubstr("--mu: '1,x', expected START:END:STEP"));
+  EXPECT_THAT(refusal(file + " --mu 1:2"), HasSubstr("--mu: '1:2', expected START:END:STEP"));
   EXPECT_THAT(refusal(file + " --mu 1:2:0"), HasSubstr("STEP above 0"));
   EXPECT_THAT(refusal(file + " --mu 2,1"), HasSubstr("expected numbers that increase"));
   EXPECT_THAT(refusal(file + " --mu 0,1"), HasSubstr("expected numbers above 0"));

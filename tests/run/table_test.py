@@ -45,7 +45,7 @@ class Table(KusabiCase):
         self.assertEqual([row.pop("pattern") for row in rows], [str(i) for i in range(1, len(patterns) + 1)])
         self.check_configurations(result, patterns, rows)
         for pattern, row in zip(patterns, rows):
-            for key in ("contact", "separated", "at_rest"):
+            for key in ("contact", "separated", "inactive"):
                 self.assertEqual(row.pop(key).split(), pattern.get(key, []))
             self.assertEqual(row.pop("block"), str(pattern.get("block", 1)))
             self.assertEqual(row.pop("state", None), pattern.get("state"))
@@ -102,7 +102,7 @@ class Table(KusabiCase):
         result, rows = self.table("mip", "../tests/programs/knapsack.lp")
         self.assertEqual({row["column"]: float(row["value"]) for row in rows}, result["result"]["columns"])
         result, rows = self.table("mip", "../tests/programs/parity.lp")
-        self.assertEqual((result["result"]["answer"], rows), ("infeasible", []))
+        self.assertEqual((result["result"]["state"], rows), ("infeasible", []))
 
     def test_names_are_quoted(self):
         truss = self.folder / "odd.toml"

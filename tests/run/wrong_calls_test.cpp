@@ -111,7 +111,7 @@ TEST_F(Command, RefusesInvalidCallsInOneLine) {
        "--method: 'guess', expected one of auto, descent, global, newton, bisection"},
       {"rays " + plane + " --mu 1 --method double-description --node-limit 9", "expected no limit"},
       {"rays " + truss + " --mu 1", "dimension is 3; expected 2"},
-      {"limit " + truss + " --group-alpha wind", "--group-alpha 'wind': expected NAME=NUMBER"},
+      {"limit " + truss + " --group-alpha wind", "--group-alpha: 'wind', expected NAME=NUMBER"},
       {"limit " + truss + " --group-alpha wind=-1", "with numbers that are not negative"},
       {"limit " + truss + " --alpha 1 --cuts some",
        "--cuts: 'some', expected one of none, disjunctive, tighten, static, all"},

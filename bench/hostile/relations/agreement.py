@@ -110,12 +110,12 @@ def patterns(one, other, effect):
     at_limit = False
     for key in sorted(mine.keys() ^ theirs.keys(), key=cone_name):
         state, margin = mine.get(key) or theirs[key]
-        if effect.exact or state == "alive" and margin > limit:
+        if effect.exact or state == "feasible" and margin > limit:
             raise Disagreement(
                 "cones", f"{len(mine)}, then {len(theirs)} patterns; {cone_name(key)} ({state}, "
                 f"margin {margin}) only {'before' if key in mine else 'after'}")
         at_limit = True
-    if at_limit or not effect.exact and any(state != "alive" or margin <= limit
+    if at_limit or not effect.exact and any(state != "feasible" or margin <= limit
                                             for state, margin in mine.values()):
         raise Undecided("patterns at a limit, coordinates rounded anew")
     for key, (state, margin) in mine.items():
@@ -125,7 +125,7 @@ def patterns(one, other, effect):
     if int(other.result["count"]) != count:
         raise Disagreement("count", f"{one.result['count']}, then {other.result['count']} instead of {count}")
     for key, (state, margin) in mine.items():
-        if state == "alive" and not math.isclose(margin, theirs[key][1], rel_tol=MARGIN, abs_tol=1e-9):
+        if state == "feasible" and not math.isclose(margin, theirs[key][1], rel_tol=MARGIN, abs_tol=1e-9):
             raise Disagreement("margins", f"{cone_name(key)}: margin {margin!r}, then {theirs[key][1]!r}")
 
 
@@ -174,7 +174,7 @@ def _coefficient(mine, theirs, effect, complete):
 
 
 def critical(one, other, effect):
-    mine, theirs = (questions.bracket(each.result["critical_friction"]) for each in (one, other))
+    mine, theirs = (questions.coefficient(each.result) for each in (one, other))
     _coefficient(mine, theirs, effect, not (one.is_open or other.is_open))
 
 
@@ -199,7 +199,7 @@ def without_points(intervals):
 
 
 def hold(one, other, effect):
-    if one.result["holding_friction"] is not None:
+    if "holding_friction" in one.result:
         _holding_friction(one, other, effect)
     else:
         _holding_factors(one, other, effect)
@@ -233,20 +233,19 @@ def _holding_factors(one, other, effect):
     mine, theirs = without_points(mine), without_points(theirs)
     if len(mine) != len(theirs) or not all(
             near(x, y, room) for a, b in zip(mine, theirs) for x, y in zip(a, b)):
-        flat = any(not each["proved"] for answer in (one, other) for each in answer.result["intervals"])
+        flat = any(each["standing"] != "proved" for answer in (one, other) for each in answer.result["intervals"])
         raise _kind(effect, flat)("intervals", f"{mine}, then {theirs}")
 
 
 def _grip(one, other, effect):
     mine, theirs = one.result["grip"], other.result["grip"]
-    if None in (mine["held"], theirs["held"]) or one.is_open or other.is_open:
+    if "computed" in (mine["standing"], theirs["standing"]) or one.is_open or other.is_open:
         raise Undecided("open sums")
     if mine["held"] != theirs["held"]:
         raise Disagreement("grip", f"{mine['held']}, then {theirs['held']}")
     if not mine["held"] or effect.copies > 1:
         return
-    for end in ("least", "most"):
-        a, b = (each[end] and each[end]["held"] for each in (mine, theirs))
+    for end, (a, b) in zip(("minimum", "maximum"), zip(questions.sums(mine), questions.sums(theirs))):
         if (a is None) != (b is None) or a is not None and not near(a, b / effect.force,
                                                                     max(1e-6, room_of(effect.error))):
             raise Disagreement("grip", f"{end}: {a!r} times {effect.force!r}, then {b!r}")
@@ -316,17 +315,18 @@ def mip(one, other, effect):
     mine, theirs = one.result, other.result
 
     def both(key):
-        own = mine.get(key)
-        return [None if own is None else effect.factor(own), theirs.get(key)]
+        own, other = (value["value"] if isinstance(value, dict) else value
+                      for value in (mine.get(key), theirs.get(key)))
+        return [None if own is None else effect.factor(own), other]
 
     def room(a, b):
         return 1e-7 * max(abs(a), abs(b), abs(effect.shift))
 
     objectives = both("objective")
     if not (one.is_open or other.is_open):
-        if mine["answer"] != theirs["answer"]:
+        if mine["state"] != theirs["state"]:
             raise Disagreement(
-                "answer", f"{mine['answer']} {objectives[0]!r}, then {theirs['answer']} {objectives[1]!r}")
+                "answer", f"{mine['state']} {objectives[0]!r}, then {theirs['state']} {objectives[1]!r}")
         if None not in objectives and abs(objectives[0] - objectives[1]) > room(*objectives):
             raise Disagreement("optimum", f"{objectives[0]!r}, then {objectives[1]!r}")
     # A point of one program is not beyond a bound of the other one.
@@ -337,7 +337,7 @@ def mip(one, other, effect):
             raise Disagreement("bound", f"bound {bound!r}, but a point of {objective!r}")
     for complete, open_one in ((one, other), (other, one)):
         point = open_one.result.get("objective")
-        if complete.code == 0 and complete.result["answer"] == "infeasible" and point is not None:
+        if complete.code == 0 and complete.result["state"] == "infeasible" and point is not None:
             raise Disagreement("answer", f"infeasible, but a point of {point!r}")
     if one.is_open or other.is_open:
         raise Undecided("open optimum")

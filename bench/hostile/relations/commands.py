@@ -71,7 +71,7 @@ def _count(asked, mu):
 
 def _coefficient(asked):
     """Bracket of the critical coefficient; upper bound None: nothing sticks up to the lower one."""
-    return questions.bracket(complete(asked(Question("critical"))).result["critical_friction"])
+    return questions.coefficient(complete(asked(Question("critical"))).result)
 
 
 def patterns_at_critical(asked, rng, case, mu):
@@ -281,10 +281,9 @@ def sums_of_reactions(asked, rng, case, mu):
     """Sums of normal reactions beyond the ends of `--grip` are not held."""
     answer = complete(asked(Question("hold", mu=mu, more=("--grip", ))))
     grip = answer.result.get("grip")
-    if not grip or not grip["held"] or grip["least"]["held"] is None:
+    least, most = questions.sums(grip) if grip else (None, None)
+    if not grip or not grip["held"] or least is None:
         raise Unfit("no state under the dead load")
-    least = grip["least"]["held"]
-    most = grip["most"]["held"] if grip["most"] else None
     compared = 0
     beyond = [least - SUM * max(1.0, least)] + ([] if most is None else [most + SUM * max(1.0, most)])
     for total in beyond:
@@ -324,8 +323,8 @@ def no_half_width(asked, rng, case, mu):
     ends = nominal if isinstance(nominal, list) else [nominal["lower"], nominal["upper"]]
     for end, value in zip(("lower", "upper"), ends):
         if value is not None and found["empty"] is False and not (
-                found[end]["lower"] - 1e-7 * max(1, abs(value)) <= value <=
-                found[end]["upper"] + 1e-7 * max(1, abs(value))):
+                found[end]["lower"]["value"] - 1e-7 * max(1, abs(value)) <= value <=
+                found[end]["upper"]["value"] + 1e-7 * max(1, abs(value))):
             raise Disagreement(
                 "interval", f"{end} end {found[end]['lower']!r} .. {found[end]['upper']!r}, nominal {ends}")
 
@@ -342,7 +341,8 @@ def wider_loads(asked, rng, case, mu):
     if one["empty"] is False and other["empty"] is False:
         for end, sign in (("lower", -1), ("upper", 1)):
             a, b = one[end], other[end]
-            least, most = (b["lower"], a["upper"]) if sign == 1 else (a["lower"], b["upper"])
+            least, most = (b, a) if sign == 1 else (a, b)
+            least, most = least["lower"]["value"], most["upper"]["value"]
             if least > most + 1e-7 * max(1, abs(most)):
                 raise Disagreement("interval",
                                    f"{end}: {a} at {question.alpha!r}, {b} at {1.25 * question.alpha!r}")
@@ -360,8 +360,7 @@ def sweep_of_half_widths(asked, rng, case, mu):
         if other["lower"] != one["worst_case"]["lower"]:
             raise Disagreement("worst case", f"{one['worst_case']} by limit, {other} by sweep")
         return
-    agreement.overlap("worst case", questions.bracket(one["worst_case"]),
-                      questions.bracket({**other, "lower_proved": True, "upper_proved": True}), 1e-7)
+    agreement.overlap("worst case", questions.bracket(one["worst_case"]), questions.bracket(other), 1e-7)
 
 
 def without_each_member(asked, rng, case, mu):
@@ -392,8 +391,8 @@ def without_each_member(asked, rng, case, mu):
                     f"not carried without {each}, but {loss['lower']!r} .. {loss['upper']!r} remains")
             return
         least = min(least, nominal)
-    if loss["fatal"] or not loss["lower"] - 1e-6 * max(1, abs(least)) <= least <= loss["upper"] + 1e-6 * max(
-            1, abs(least)):
+    bracket, room = questions.bracket(loss), 1e-6 * max(1, abs(least))
+    if loss["fatal"] or not bracket.low - room <= least <= bracket.high + room:
         raise Disagreement(
             "member loss",
             f"{loss['lower']!r} .. {loss['upper']!r}, fatal {loss['fatal']}; one by one {least!r}")
@@ -468,7 +467,7 @@ def coefficients_of_pieces(asked, rng, case, mu):
     """The critical coefficient is the least of those of the pieces alone."""
     whole = _coefficient(asked)
     alone = [
-        questions.bracket(complete(asked(Question("critical"), piece)).result["critical_friction"])
+        questions.coefficient(complete(asked(Question("critical"), piece)).result)
         for piece in _several_pieces(case) if piece.get("contact")
     ]
     highs = [each.high for each in alone if each.high is not None]

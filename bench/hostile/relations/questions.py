@@ -66,7 +66,6 @@ class Answer:
     code: int | None
     said: str
     result: dict | None = None
-    verdict: dict | None = None
     names: list = dataclasses.field(default_factory=list)
     text: str = ""
 
@@ -111,7 +110,7 @@ class Asker:
         answer = Answer(code, lines[-1] if lines else "", text=text)
         if output.exists():
             whole = json.loads(output.read_text(encoding="utf-8"))
-            answer.result, answer.verdict = whole["result"], whole.get("verdict")
+            answer.result = whole["result"]
             answer.names = [each["node"] for each in whole.get("problem", {}).get("contact", ())]
         return answer
 
@@ -157,17 +156,34 @@ class Bracket:
         return Bracket(ends[1], ends[0], self.high_proved, self.low_proved)
 
 
-def bracket(entry, low="lower", high="upper"):
-    return Bracket(entry[low], entry[high], entry.get(f"{low}_proved", False),
-                   entry.get(f"{high}_proved", False))
+def bound(entry, end, otherwise=None):
+    """The value of an end of a bracket."""
+    return entry[end]["value"] if entry[end] else otherwise
+
+
+def bracket(entry):
+    low, high = entry["lower"], entry["upper"]
+    return Bracket(low and low["value"], high and high["value"],
+                   bool(low) and low["standing"] == "proved", bool(high) and high["standing"] == "proved")
+
+
+def coefficient(result):
+    """Bracket of the critical coefficient: nothing sticks without friction."""
+    found = bracket(result["critical_friction"])
+    return found if found.low is not None else dataclasses.replace(found, low=0.0, low_proved=True)
 
 
 def held(answer):
     """Intervals (low, high) of `hold --mu`, infinite without an end."""
-    if answer.verdict["answer"]["reason"] in ("supports", "wedging"):
+    if answer.result["reason"] in ("supports", "wedging"):
         return [(-math.inf, math.inf)]
-    return [(-math.inf if each["low"] is None else each["low"],
-             math.inf if each["high"] is None else each["high"]) for each in answer.result["intervals"]]
+    return [(bound(each["below"], "upper", -math.inf), bound(each["above"], "lower", math.inf))
+            for each in answer.result["intervals"]]
+
+
+def sums(grip):
+    """The least and the largest sum of normal reactions of a known state; None: not known, or there is none."""
+    return bound(grip["minimum"], "upper"), bound(grip["maximum"], "lower")
 
 
 def guaranteed(result):
@@ -176,5 +192,5 @@ def guaranteed(result):
 
 
 def is_proved(answer):
-    """True if no number of the verdict is merely computed."""
-    return '"computed"' not in json.dumps(answer.verdict["answer"])
+    """True if no number of the answer is merely computed."""
+    return '"computed"' not in json.dumps(answer.result)

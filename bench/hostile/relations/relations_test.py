@@ -37,12 +37,12 @@ ROUNDED = changed(exact=False, error=4e-16)
 
 
 def answer(result, code=0, standing="proved"):
-    return Answer(code, "said", result, {"answer": {"reason": "searched", "standing": standing}}, ["a", "b"])
+    return Answer(code, "said", {"reason": "searched", "standing": standing, **result}, ["a", "b"])
 
 
 def pattern(contact, margin=0.1):
     separated = [name for name in "ab" if name not in contact]
-    return {"contact": list(contact), "separated": separated, "state": "alive" if margin else "flat",
+    return {"contact": list(contact), "separated": separated, "state": "feasible" if margin else "flat",
             "margin": margin}
 
 
@@ -55,7 +55,9 @@ def rays(*contacts, count=7):
 
 
 def bracket(lower, upper, proved=True):
-    return {"lower": lower, "upper": upper, "lower_proved": True, "upper_proved": proved}
+    ends = {"lower": (lower, True), "upper": (upper, proved)}
+    return {end: None if value is None else {"value": value, "standing": "proved" if known else "computed"}
+            for end, (value, known) in ends.items()}
 
 
 def critical(*ends):
@@ -67,16 +69,18 @@ def sweep(counts):
 
 
 def hold(*intervals, proved=True, code=0, **more):
-    listed = [{"low": low, "high": high, "proved": proved} for low, high in intervals]
-    return answer({"holding_friction": None, "intervals": listed, **more}, code)
+    listed = [{"standing": "proved" if proved else "computed", "below": bracket(None, low), "above": bracket(high, None)}
+              for low, high in intervals]
+    return answer({"intervals": listed, **more}, code)
 
 
 def holding(*ends):
-    return answer({"holding_friction": bracket(*ends), "intervals": None})
+    return answer({"holding_friction": bracket(*ends)})
 
 
 def grip(least, most):
-    sums = {"held": True, "least": {"held": least}, "most": most and {"held": most}}
+    sums = {"held": True, "standing": "proved", "minimum": bracket(None, least), "maximum": bracket(most, None),
+            "unbounded": most is None}
     return hold((0.0, 1.0), grip=sums)
 
 
@@ -94,7 +98,9 @@ def loss(lower, upper, fatal=False):
 
 
 def mip(objective, bound, said="optimal", code=0):
-    return answer({"answer": said, "objective": objective, "bound": bound}, code)
+    known = bound is not None
+    return answer({"state": said, "objective": objective,
+                   "bound": {"value": bound, "standing": "proved"} if known else None}, code)
 
 
 #: (part, command, effect of the change, answer, answers that agree with it, answers that do not)
@@ -103,7 +109,7 @@ COMPARED = [
     ("crash", "patterns", EXACT, Answer(-11, ""), [], [Answer(-11, "")]),
     ("exit code", "patterns", EXACT, patterns(), [patterns()], [Answer(1, ""), Answer(2, "")]),
     ("standing", "limit", EXACT, limit(), [limit()], [
-        answer(limit().result, standing="computed")]),
+        answer({**limit().result, "standing": "computed"})]),
     ("cones", "patterns", EXACT, patterns(pattern("a")), [patterns(pattern("a"))],
      [patterns(pattern("b")), patterns(pattern("a", None)), patterns(pattern("a"), pattern("b", None))]),
     ("cones", "patterns", ROUNDED, patterns(pattern("a")), [patterns(pattern("a"))],

@@ -288,7 +288,8 @@ void LossSearch::settle_target() {
   if (lower_.value_or(-infinite) >= *parameters_.at_least) {
     answer_.reaches_target = true;
     answer_.standing = support::Standing::proved;
-  } else if (is_proved(ends.upper) && ends.at_most() < *parameters_.at_least) {
+  } else if (answer_.fatal == support::Standing::proved ||
+             (is_proved(ends.upper) && ends.at_most() < *parameters_.at_least)) {
     answer_.reaches_target = false;
     answer_.standing = support::Standing::proved;
   }

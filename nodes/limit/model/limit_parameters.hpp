@@ -58,8 +58,6 @@ struct LimitParameters {
   bool curve = false;      ///< true if the curve of the factor over the uncertainty is computed
   /// Load of a further curve, n^d, force; nothing: none.
   std::optional<Eigen::VectorXd> curve_load{};
-  /// Compression strengths after the buckling of struts, n^m, in units; empty: there are no struts.
-  Eigen::VectorXd residual{};
   /// Loss of members, for the nominal load or, with alpha, all admissible loads; nothing: none.
   std::optional<LossParameters> loss{};
   double curve_to = 1;  ///< upper limit of beta of the curves, times alpha or times the load

@@ -285,7 +285,7 @@ LimitWorstCase WorstCaseSearch::as_printed() {
   const auto printed = printed_worst(analysis, parameters_, search_.problem(), start_);
   LimitWorstCase worst;
   if (printed.status == engine::Status::solved && parameters_.evidence) {
-    analysis.say("(29) is solved; its ends are put to the proof by static cuts");
+    analysis.say("(29) is solved; its ends are tested by static cuts");
     worst = by_static_cuts();
   } else {
     worst.as_printed = true;

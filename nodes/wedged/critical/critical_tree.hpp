@@ -71,9 +71,9 @@ class CriticalTree {
 
     static constexpr auto fields() {
       return std::tuple{
-          field("branched", &Tally::branched),    field("dead", &Tally::infeasible),
-          field("leaves", &Tally::leaves),        field("doubtful", &Tally::undecided),
-          field("doubt", &Tally::undecided_from), field("programs", &Tally::programs)};
+          field("branched", &Tally::branched),    field("infeasible", &Tally::infeasible),
+          field("leaves", &Tally::leaves),        field("undecided", &Tally::undecided),
+          field("undecided_from", &Tally::undecided_from), field("programs", &Tally::programs)};
     }
   };
 

@@ -87,7 +87,7 @@ struct HoldTally : engine::Counts<HoldTally> {
 
   static constexpr auto fields() {
     return std::tuple{
-        field("branched", &HoldTally::branched),    field("dead", &HoldTally::infeasible),
+        field("branched", &HoldTally::branched),    field("infeasible", &HoldTally::infeasible),
         field("computed", &HoldTally::computed),    field("others", &HoldTally::of_other_leaves),
         field("undecided", &HoldTally::undecided),  field("thin", &HoldTally::undecided_on_line),
         field("iterations", &HoldTally::iterations)};

@@ -97,12 +97,21 @@ std::vector<conic::Cut> cuts_of(const IndexSet& candidates,
 
 std::vector<double> cut_evidence(const ContactSolver& solver, const MeanMotion& mean_motion,
                                  std::span<const conic::Cut> cuts) {
+  // Far smaller multipliers of cuts are due to the barrier of the interior-point method; those of an
+  // unconstrained body would have to be in equilibrium with the others.
+  constexpr double negligible_cut = 1e-7;
   auto numbers = mean_motion.with_multipliers(solver.multipliers(), solver.unit());
+  const double least =
+      mean_motion.count() == 0
+          ? 0
+          : negligible_cut * solver.multipliers().head(solver.candidates()).cwiseAbs().maxCoeff();
   const auto first = numbers.size();
   numbers.resize(first + static_cast<std::size_t>(solver.candidates()));
-  for (std::size_t cut = 0; cut < cuts.size(); ++cut)
-    numbers[first + static_cast<std::size_t>(cuts[cut].candidate)] =
-        solver.unit() * cuts[cut].share * solver.cut_multiplier(cut);
+  for (std::size_t cut = 0; cut < cuts.size(); ++cut) {
+    const double own = cuts[cut].share * solver.cut_multiplier(cut);
+    if (own > least)
+      numbers[first + static_cast<std::size_t>(cuts[cut].candidate)] = solver.unit() * own;
+  }
   return numbers;
 }
 

@@ -48,7 +48,8 @@ ContactSolver::ContactSolver(const problems::WedgedProblem& problem,
                              std::span<const double> friction, conic::Tolerances tolerances,
                              Precision precision, int loads, conic::SideEquation equation)
     : dimension_(problem.dimension),
-      unit_(problems::mean_normal_compliance(problem)),
+      unit_(loads == 0 ? problems::margin_unit(problem)
+                       : problems::mean_normal_compliance(problem)),
       tolerances_(tolerances),
       precision_(precision),
       loads_(loads),

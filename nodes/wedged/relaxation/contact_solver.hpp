@@ -1,7 +1,7 @@
 // Cone solver of a wedged problem, in the plane or in space, for trees of sign patterns.
 //
-// The compliance is scaled such that the mean diagonal of its normal part F_nn is 1: t compares
-// reactions with displacements, so its size (not its sign) depends on the units.
+// The compliance is divided by problems::margin_unit, with loads by the mean diagonal of its normal
+// part: t compares reactions with displacements, so its size (not its sign) depends on the unit.
 //
 // A node is solved in doubles first. If its sign is undecided, or its value has fewer than three
 // digits where that is required, the same program is solved again in long double precision and then

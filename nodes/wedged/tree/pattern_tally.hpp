@@ -72,14 +72,14 @@ struct SignPatternTally : engine::Counts<SignPatternTally> {
 
   static constexpr auto fields() {
     return std::tuple{field("branched", &SignPatternTally::branched),
-                      field("dead", &SignPatternTally::infeasible),
+                      field("infeasible", &SignPatternTally::infeasible),
                       field("found", &SignPatternTally::found),
                       field("flat_nodes", &SignPatternTally::flat),
                       field("faces", &SignPatternTally::faces),
                       field("marginal_leaves", &SignPatternTally::marginal),
                       field("undecided_leaves", &SignPatternTally::undecided),
-                      field("doubtful_branched", &SignPatternTally::branched_undecided),
-                      field("climbed", &SignPatternTally::escalated),
+                      field("undecided_branched", &SignPatternTally::branched_undecided),
+                      field("escalated", &SignPatternTally::escalated),
                       field("probed", &SignPatternTally::probed),
                       field("iterations", &SignPatternTally::iterations),
                       field("candidates", &SignPatternTally::polyhedral_leaves)};

@@ -182,8 +182,8 @@ BarGroup BarKeys::read() const {
   }
   if (stress_ != nullptr) {
     const double area = positive(*area_, "A", "area");
-    const auto [tension, compression] = stresses();
-    bars.bar.yield = YieldForces{area * tension, area * compression};
+    const auto stress = stresses();
+    bars.bar.yield = YieldForces{area * stress.tension, area * stress.compression};
   }
   if (buckling_ != nullptr) {
     bars.compressed = compressed();
@@ -195,10 +195,14 @@ BarGroup BarKeys::read() const {
 }  // namespace
 
 std::optional<YieldForces> BarGroup::yield_at(double length) const {
-  if (!compressed) return bar.yield;
-  CompressedBar here = *compressed;
-  here.length *= length;
-  return YieldForces{bar.yield->tension, buckling_resistance(here)};
+  auto forces = bar.yield;
+  if (compressed) {
+    CompressedBar here = *compressed;
+    here.length *= length;
+    forces->compression = buckling_resistance(here);
+  }
+  if (residual) forces->residual = forces->compression * *residual;
+  return forces;
 }
 
 BarGroup bars_in(const TomlReader& reader, const TomlTable& group) {

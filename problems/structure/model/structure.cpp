@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <set>
+#include <utility>
 
 namespace kusabi::problems {
 
@@ -27,6 +28,20 @@ std::string which_at_node(const Structure& structure, std::size_t index) {
 }
 
 }  // namespace
+
+bool has_struts(const Structure& structure) {
+  return std::ranges::any_of(structure.members, [](const Member& member) {
+    return member.yield && member.yield->residual;
+  });
+}
+
+Structure after_buckling(Structure structure) {
+  for (Member& member : structure.members) {
+    if (member.yield && member.yield->residual)
+      member.yield->compression = *std::exchange(member.yield->residual, std::nullopt);
+  }
+  return structure;
+}
 
 std::optional<int> node_named(const Structure& structure, const std::string& name) {
   const auto first = std::ranges::find(structure.node_names, name);

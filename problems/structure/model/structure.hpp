@@ -29,6 +29,8 @@ struct Units {
 struct YieldForces {
   double tension = 0;
   double compression = 0;
+  /// Of a strut: the strength in compression that remains after buckling; nothing: no strut.
+  std::optional<double> residual{};
 
   friend bool operator==(const YieldForces&, const YieldForces&) = default;
 };
@@ -238,6 +240,12 @@ int body_elements(const Structure& structure);
 
 /// An element or outline, elements first.
 const Element& body_element(const Structure& structure, int index);
+
+/// True if some members are struts.
+bool has_struts(const Structure& structure);
+
+/// The structure with all struts at their residual strength.
+Structure after_buckling(Structure structure);
 
 /// The node with this name, which may be its first or a further one; nothing if there is none.
 std::optional<int> node_named(const Structure& structure, const std::string& name);

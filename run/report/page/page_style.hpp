@@ -18,8 +18,7 @@ body { margin: 0 auto; padding: 1rem; max-width: 76rem; background: var(--paper)
 h1 { font-size: 1.6rem; line-height: 1.25; margin: .5rem 0; }
 h2 { font-size: 1.25rem; border-bottom: 1px solid var(--rule); padding-bottom: .2rem; margin-top: 2rem; }
 h3 { font-size: 1rem; margin: .3rem 0; }
-#answer, #verdict { font-size: 1.25rem; font-weight: 600; border-left: .3rem solid var(--mark); padding-left: .8rem; margin: .8rem 0; }
-#answer + #verdict { font-size: 1.05rem; font-weight: 400; }
+#verdict { font-size: 1.25rem; font-weight: 600; border-left: .3rem solid var(--mark); padding-left: .8rem; margin: .8rem 0; }
 #warnings { border-left: .3rem solid var(--tension); padding: .2rem .8rem .2rem 2rem; }
 #reservations, .remark { color: var(--faint); }
 figure { margin: 0; }
@@ -33,7 +32,7 @@ svg.picture { display: block; max-width: 100%; height: auto; }
 #leading figure svg.picture { width: 100%; }
 .scroll { overflow-x: auto; margin: .6rem 0; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
-caption { text-align: left; font-weight: 600; padding: .3rem 0; }
+caption { width: max-content; max-width: calc(100vw - 2rem); text-align: left; font-weight: 600; padding: .3rem 0; }
 th, td { text-align: left; vertical-align: top; padding: .2rem .8rem .2rem 0; border-bottom: 1px solid var(--rule); }
 th { font-weight: 400; color: var(--faint); overflow-wrap: normal; }
 thead th { font-weight: 600; }

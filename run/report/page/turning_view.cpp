@@ -100,7 +100,7 @@ class TurningData {
     };
     for (const auto& load : scene_.loads) {
       const bool dead = load.kind == pictures::DrawnLoad::Kind::dead;
-      add(dead ? "dead" : "reference", load.node, scale_of(load, scales_) * load.force, dead);
+      add(dead ? "dead" : "reference", load.node, scales_.force * load.force, dead);
     }
     for (int node = 0; node < static_cast<int>(scene_.support_reactions.cols()); ++node)
       add("holding", node, scales_.force * scene_.support_reactions.col(node), true);

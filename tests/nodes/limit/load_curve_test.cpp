@@ -80,7 +80,7 @@ TEST(ConcaveCurve, BracketsItsEnd) {
       const double end = known.at.back();
       const auto found = concave_curve(
           [&](double beta) -> CurveSample {
-            if (beta > end) return NotCarried{end * hint, beta > 1.5 * end};
+            if (beta > end) return NotCarried{end * hint, support::proved_if(beta > 1.5 * end)};
             return known.sample(beta, bits);
           },
           end*(trial % 4 == 0 ? 1e9 : draw(bits, 1.01, 1000)), 1e-10);
@@ -88,7 +88,8 @@ TEST(ConcaveCurve, BracketsItsEnd) {
       EXPECT_LE(found.end->carried_at, end);
       EXPECT_GT(found.end->not_carried_at, end);
       EXPECT_LE(found.end->not_carried_at - found.end->carried_at, 1e-6 * end);
-      EXPECT_FALSE(found.end->proved);  // a proof at the far place is not one at the near place
+      // A proof at the far place is not one at the near place.
+      EXPECT_FALSE(is_proved(found.end->standing));
       known.expect(found, found.end->carried_at);
     }
   }

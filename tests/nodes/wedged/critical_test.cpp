@@ -168,13 +168,13 @@ TEST(CriticalFriction, IsTheSameByDescentAndGlobalSearch) {
     for (const auto maximum : {std::optional<double>(), std::optional(factor * 1.002)}) {
       const auto down = found(CriticalStrategy::descent, factor, maximum);
       const auto up = found(CriticalStrategy::global, factor, maximum);
-      EXPECT_EQ(down.lower, up.lower) << factor;
+      EXPECT_EQ(down.bracket.at_least(), up.bracket.at_least()) << factor;
       EXPECT_EQ(down.bracket.upper, up.bracket.upper) << factor;
-      EXPECT_NEAR(down.lower, factor, 2e-6 * factor);
+      EXPECT_NEAR(down.bracket.at_least(), factor, 2e-6 * factor);
       EXPECT_TRUE(is_proved(down.bracket.lower) && is_proved(down.bracket.upper)) << factor;
     }
     const auto below = found(CriticalStrategy::descent, factor, factor * 0.999);
-    EXPECT_EQ(below.lower, factor * 0.999);
+    EXPECT_EQ(below.bracket.at_least(), factor * 0.999);
     EXPECT_FALSE(below.bracket.upper) << factor;
   }
 }
@@ -319,7 +319,7 @@ TEST(CriticalFriction, HasTheBracketOfTheListWithoutListingPatterns) {
         problems::load_structure(std::string(KUSABI_SOURCE_DIR) + "/examples/" + name);
     const auto one = found_of(structure, {});
     const auto all = found_of(structure, {.list = true});
-    EXPECT_EQ(one.lower, all.lower);
+    EXPECT_EQ(one.bracket.at_least(), all.bracket.at_least());
     EXPECT_EQ(one.bracket.upper, all.bracket.upper);
     EXPECT_TRUE(is_proved(one.bracket.upper));
     ASSERT_EQ(one.patterns.size(), 1U);
@@ -335,7 +335,7 @@ TEST(CriticalFriction, BracketDoesNotDependOnTheNodeLimitOfTheList) {
   const auto all = found_of(structure, {.list = true});
   const auto part = found_of(structure, {.list = true, .list_nodes = 1});
   EXPECT_EQ(part.status, engine::Status::solved);
-  EXPECT_EQ(part.lower, all.lower);
+  EXPECT_EQ(part.bracket.at_least(), all.bracket.at_least());
   EXPECT_EQ(part.bracket.upper, all.bracket.upper);
   EXPECT_THAT(part.open_points, ::testing::Contains(OpenPoint::list_not_complete));
   EXPECT_EQ(part.patterns.size(), 1U);
@@ -364,13 +364,13 @@ TEST(CriticalFriction, BracketNarrowsAsTheNodeLimitGrows) {
     EXPECT_LE(found.bracket.at_most(), upper);
     lower = found.bracket.at_least();
     upper = std::min(found.bracket.at_most(), upper);
-    EXPECT_LE(lower, whole.lower);
+    EXPECT_LE(lower, whole.bracket.at_least());
     EXPECT_GE(upper, whole.bracket.at_most());
     if (found.status == engine::Status::solved) break;
     EXPECT_EQ(found.status, engine::Status::node_limit);
     EXPECT_TRUE(found.stopped_in);
   }
-  EXPECT_EQ(lower, whole.lower);
+  EXPECT_EQ(lower, whole.bracket.at_least());
 }
 
 TEST(CriticalFriction, OfTheTwoBarsIsTwo) {

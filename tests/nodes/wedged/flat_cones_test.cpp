@@ -125,7 +125,7 @@ TEST(FlatCones, HaveNoInactiveCandidateThatHasASmallGap) {
   const auto& leaf = outcome.solutions[0].solution;
   EXPECT_EQ(leaf.state, LeafState::feasible);
   EXPECT_EQ(leaf.pattern, (SignPattern{.contact = 0b001, .separated = 0b110, .inactive = 0}));
-  EXPECT_NEAR(leaf.lower, e / problems::mean_normal_compliance(problem), 1e-3 * e);
+  EXPECT_NEAR(leaf.lower, e / problems::margin_unit(problem), 1e-3 * e);
   EXPECT_EQ(tree.tally().flat, 0U);
 }
 

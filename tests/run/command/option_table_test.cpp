@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -140,6 +142,52 @@ TEST(OptionTable, RepeatsTheCallFromTheGivenOptions) {
     return row.stops == kusabi::engine::Status::node_limit;
   };
   EXPECT_EQ(table.call(at_nodes), R"( 'it'\''s a truss.toml' --mu 0.50 --no-tighten)");
+}
+
+TEST(OptionTable, HasTheOptionsOfTheAnswerWithTheirTypes) {
+  enum class Way { here, there };
+  Way way = Way::here;
+  double width = 0.5;
+  int count = 3;
+  std::optional<double> nothing;
+  std::vector<double> points;
+  std::vector<std::pair<std::string, double>> groups;
+  std::string name;
+  std::string file;
+  bool quick = false;
+  kusabi::engine::Limits limits;
+  OptionTable table;
+  table.problem(file);
+  table.choice("--way", way, {{"here", Way::here}, {"there", Way::there}}, "");
+  table.number("--width", &width, above(0), "");
+  table.number("--count", &count, above(0), "").needs("--way", "there");
+  table.number("--no-thing", &nothing, above(0), "");
+  table.points("--mu", points, above(0), "");
+  table.group_alpha(groups);
+  table.load_case(name);
+  table.flag("--quick", quick, "");
+  table.output();
+  table.lines(quick, "");
+  table.search_limits(limits);
+  table.quiet_and_serial();
+  const auto defaults = nlohmann::ordered_json::parse(
+      R"({"way": "here", "width": 0.5, "count": null, "no_thing": null, "mu": null,
+          "group_alpha": null, "case": null, "quick": false})");
+  EXPECT_EQ(table.asked(), defaults);
+  for (const auto& [option, text] :
+       std::vector<std::pair<std::string, std::string>>{{"--way", "there"},
+                                                        {"--width", "1e-3"},
+                                                        {"--mu", "1:2:1"},
+                                                        {"--group-alpha", "a=1"},
+                                                        {"--case", "1"},
+                                                        {"--quick", ""},
+                                                        {"--node-limit", "7"},
+                                                        {"--output", "f"}})
+    EXPECT_EQ(taken(table, option, text), "");
+  const auto given = nlohmann::ordered_json::parse(
+      R"({"way": "there", "width": 0.001, "count": 3, "no_thing": null, "mu": [1.0, 2.0],
+          "group_alpha": {"a": 1.0}, "case": "1", "quick": true})");
+  EXPECT_EQ(table.asked(), given);
 }
 
 }  // namespace

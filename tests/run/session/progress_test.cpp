@@ -168,7 +168,7 @@ TEST(ProgressText, NamesThePhaseAfterTheProof) {
                                                           // closed by a bound
   state.has_objective = true;
   EXPECT_THAT(progress_row(state), EndsWith("  closing"));
-  EXPECT_THAT(progress_bar(state, 199), HasSubstr("closing: the proof is complete"));
+  EXPECT_THAT(progress_bar(state, 199), HasSubstr("closing: no better value is left"));
   EXPECT_EQ(progress_row(state).size(), progress_header(true).size());
   state.progress.bound = 9.99;
   EXPECT_THAT(progress_row(state), EndsWith(" 15:00"));

@@ -1,29 +1,36 @@
-// JSON of `kusabi limit`.
+// Output files of `kusabi limit`: JSON, members as CSV, pictures of collapse.
 #include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
 #include <utility>
 
-#include "answer/ending.hpp"
+#include <fmt/format.h>
+
 #include "answer/values.hpp"
+#include "pictures/vtu/structure_grid.hpp"
 #include "problems/limit/action_factors.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "problems/limit/utilisation.hpp"
-#include "run/limit/collapse_loads.hpp"
 #include "run/limit/curve_report.hpp"
 #include "run/limit/limit_report.hpp"
 #include "run/limit/limit_words.hpp"
 #include "run/limit/loss_report.hpp"
 #include "run/limit/strut_report.hpp"
 #include "run/limit/zero_one_report.hpp"
+#include "run/output/csv.hpp"
+#include "run/output/output_folder.hpp"
 #include "run/output/values.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
-#include "run/pictures/limit_problem_json.hpp"
+#include "run/pictures/vtu_series.hpp"
 
 namespace kusabi::run {
 namespace {
 
 using nlohmann::ordered_json;
 using problems::LimitProblem;
+using problems::Structure;
 
 const std::string& node_name(const LimitProblem& problem, int node) {
   return problem.node_names[static_cast<std::size_t>(node)];
@@ -37,6 +44,50 @@ void add_critical_load(ordered_json& result, const LimitProblem& problem,
   result["critical_load"] = known ? load_json(problem, load) : ordered_json();
   result["critical_part"] = known ? load_json(problem, load - problem.dead) : ordered_json();
   result["critical_parameters"] = known ? parameters_json(problem, zeta) : ordered_json();
+}
+
+// Part of the loads on supported displacements, at a load factor.
+Eigen::MatrixXd loads_on_supports(const Structure& truss, double factor) {
+  Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(truss.dimension, truss.coordinates.cols());
+  for (const auto& load : truss.loads) {
+    for (int axis = 0; axis < truss.dimension; ++axis) {
+      const bool fixed =
+          truss.fixed[static_cast<std::size_t>(load.node)][static_cast<std::size_t>(axis)];
+      if (!fixed) continue;
+      loads(axis, load.node) +=
+          (load.kind == problems::Load::Kind::reference ? factor : 1) * load.force(axis);
+    }
+  }
+  return loads;
+}
+
+// f_D + lambda f_R at all nodes, d x nodes, force, including loads on supports.
+Eigen::MatrixXd load_at_collapse(const Structure& truss, const LimitProblem& problem,
+                                 const limit::LimitCollapse& collapse,
+                                 const Eigen::VectorXd& dead) {
+  return problems::node_by_node(problem, dead + collapse.factor * problem.reference) +
+         loads_on_supports(truss, collapse.factor);
+}
+
+// Support reactions: the sum of load and member forces along fixed axes, with opposite sign; zero
+// elsewhere. d x nodes, force.
+Eigen::MatrixXd support_reactions(const Structure& truss, const Eigen::MatrixXd& load,
+                                  const Eigen::VectorXd& forces) {
+  Eigen::MatrixXd rest = load;
+  for (std::size_t i = 0; i < truss.members.size(); ++i) {
+    const auto& member = truss.members[i];
+    const Eigen::VectorXd along =
+        (truss.coordinates.col(member.second) - truss.coordinates.col(member.first)).normalized();
+    const Eigen::VectorXd pull = forces(static_cast<Eigen::Index>(i)) * along;
+    rest.col(member.first) += pull;
+    rest.col(member.second) -= pull;
+  }
+  for (Eigen::Index node = 0; node < rest.cols(); ++node) {
+    const auto& fixed = truss.fixed[static_cast<std::size_t>(node)];
+    for (Eigen::Index axis = 0; axis < rest.rows(); ++axis)
+      rest(axis, node) = fixed[static_cast<std::size_t>(axis)] ? -rest(axis, node) : 0;
+  }
+  return rest;
 }
 
 // Reactions by names of the supported nodes.
@@ -59,39 +110,13 @@ ordered_json carried_between(const limit::LimitCollapse& collapse) {
   return {answer::number_or_null(collapse.minimum), collapse.factor};
 }
 
-ordered_json options_json(const LimitOptions& options) {
-  const auto& parameters = options.parameters;
-  ordered_json chosen{{"alpha", answer::number_or_null(options.asked.alpha)},
-                      {"cuts", word_of(limit_method_words(), parameters.method)},
-                      {"big_m", answer::number_or_null(parameters.big_m)},
-                      {"samples", parameters.samples},
-                      {"seed", parameters.seed},
-                      {"curve", parameters.curve}};
-  for (const auto& [name, half_width] : options.asked.groups)
-    chosen["group_alpha"][name] = half_width;
-  if (!options.load_case.empty()) chosen["case"] = options.load_case;
-  if (!options.curve_load.empty()) chosen["curve_load"] = options.curve_load;
-  chosen["curve_to"] = parameters.curve_to;
-  if (parameters.loss) {
-    chosen["lose"] = parameters.loss->maximum;
-    chosen["at_least"] = answer::number_or_null(parameters.loss->at_least);
-    if (parameters.loss->sudden != 1) chosen["sudden"] = parameters.loss->sudden;
-    if (!options.loss.kept.empty()) chosen["keep"] = options.loss.kept;
-  }
-  return chosen;
-}
-
 void add_worst_case(ordered_json& result, const LimitReport& report,
                     const limit::LimitWorstCase& worst) {
   result["alpha"] = answer::number_or_null(
       problems::common_half_width(report.problem, *report.options.parameters.alpha));
   result["uncertain_components"] = report.problem.uncertain_count();
-  result["worst_case"] = {{"lower", answer::number_or_null(worst.ends.at_least())},
-                          {"upper", answer::number_or_null(worst.ends.at_most())},
-                          {"proved", worst.proved()},
-                          {"lower_proved", is_proved(worst.ends.lower)},
-                          {"upper_proved", is_proved(worst.ends.upper)},
-                          {"from", worst.as_printed ? "zero-one" : "static-evidence"}};
+  result["worst_case"] = worst_case_json(worst);
+  result["worst_case"]["from"] = worst.as_printed ? "zero-one" : "static-evidence";
   if (worst.zero_one) result["zero_one"] = zero_one_json(*worst.zero_one);
   add_critical_load(result, report.problem, worst.zeta);
   if (worst.collapse) {
@@ -124,6 +149,8 @@ ordered_json samples_json(const LimitReport& report) {
           {"least", answer::number_or_null(*std::ranges::min_element(report.answer.samples))},
           {"factors", std::move(factors)}};
 }
+
+}  // namespace
 
 ordered_json result_json(const LimitReport& report) {
   const auto& options = report.options;
@@ -180,18 +207,6 @@ ordered_json statistics_json(const LimitReport& report) {
   return statistics;
 }
 
-}  // namespace
-
-const OptionWords<limit::LimitMethod>& limit_method_words() {
-  using limit::LimitMethod;
-  static const OptionWords<LimitMethod> words{{"none", LimitMethod::fixed},
-                                              {"disjunctive", LimitMethod::disjunctive},
-                                              {"tighten", LimitMethod::tightened},
-                                              {"static", LimitMethod::static_cuts},
-                                              {"all", LimitMethod::all}};
-  return words;
-}
-
 ordered_json load_json(const LimitProblem& problem, const Eigen::VectorXd& load) {
   auto list = ordered_json::array();
   for (int node = 0; node < static_cast<int>(problem.node_names.size()); ++node) {
@@ -246,14 +261,136 @@ ordered_json factors_json(const problems::Structure& truss, const LimitProblem& 
   return list;
 }
 
-ordered_json LimitReport::json() const {
-  return {{"command", "limit"},
-          {"version", KUSABI_VERSION},
-          {"problem", limit_problem_json(problem, truss, options.input.file)},
-          {"options", options_json(options)},
-          {"status", answer::status_text(limit_verdict(options, cases))},
-          {"result", result_json(*this)},
-          {"statistics", statistics_json(*this)}};
+namespace {
+
+/// One collapse by members; all cells are empty if there is none.
+class Collapse {
+ public:
+  Collapse(const problems::LimitProblem& problem,
+           const std::optional<limit::LimitCollapse>& collapse) {
+    if (!collapse) return;
+    forces_ = collapse->forces;
+    utilisation_ = problems::utilisation(problem, forces_);
+    elongation_ = Eigen::VectorXd::Zero(problem.member_count());
+    for (const auto& [member, elongation] :
+         problems::collapse_mode(problem, collapse->motion).yielding)
+      elongation_(member) = elongation;
+  }
+
+  void add_member(CsvWriter& csv, int member) const {
+    if (forces_.size() == 0) {
+      csv.nothing().nothing().nothing();
+      return;
+    }
+    csv.number(forces_(member)).number(utilisation_(member));
+    const double elongation = elongation_(member);
+    csv.word(elongation > 0 ? "tension" : elongation < 0 ? "compression" : "");
+  }
+
+ private:
+  Eigen::VectorXd forces_;
+  Eigen::VectorXd utilisation_;
+  Eigen::VectorXd elongation_;  // 0: elastic
+};
+
+/// Cells on the loss of each member.
+class Losses {
+ public:
+  explicit Losses(const limit::LossAnswer& loss) : loss_(loss) {}
+
+  void add_member(CsvWriter& csv, int member) const {
+    const auto single = std::ranges::find(loss_.singles, member, &limit::SingleLoss::member);
+    if (single == loss_.singles.end()) {
+      const bool stopped = loss_.singles.empty() && loss_.eligible > 0;
+      csv.nothing().word(stopped ? "" : "kept");
+    } else if (single->status == limit::LoadStatus::collapses) {
+      csv.number(single->factor).word("collapses");
+    } else {
+      csv.nothing().word(loss_state(single->status));
+    }
+    const bool lost = std::ranges::find(loss_.lost, member) != loss_.lost.end();
+    csv.word(lost ? "lost" : "");
+  }
+
+ private:
+  const limit::LossAnswer& loss_;
+};
+
+}  // namespace
+
+void write_members_csv(std::ostream& out, const LimitReport& report) {
+  const auto& problem = report.problem;
+  const auto& answer = report.answer;
+  const Collapse nominal(problem, answer.nominal);
+  const Collapse worst(problem, answer.worst ? answer.worst->collapse : std::nullopt);
+  CsvWriter csv(out);
+  for (const char* const column :
+       {"member", "first", "second", "yield_tension", "yield_compression", "nominal_forces",
+        "nominal_utilisation", "nominal_mode", "forces", "utilisation", "collapse_mode"})
+    csv.word(column);
+  if (report.loss) csv.word("factor_after_loss").word("state_after_loss").word("worst_loss");
+  csv.end_row();
+  for (int i = 0; i < problem.member_count(); ++i) {
+    const auto& bar = problem.members[static_cast<std::size_t>(i)];
+    csv.text(problems::member_name(problem, i));
+    for (const int node : {bar.first, bar.second})
+      csv.text(problem.node_names[static_cast<std::size_t>(node)]);
+    csv.number(problem.tension(i)).number(problem.compression(i));
+    nominal.add_member(csv, i);
+    worst.add_member(csv, i);
+    if (report.loss) Losses(*report.loss).add_member(csv, i);
+    csv.end_row();
+  }
+}
+
+namespace {
+
+pictures::UnstructuredGrid collapse_grid(const Structure& truss, const LimitProblem& problem,
+                                         const limit::LimitCollapse& collapse,
+                                         const Eigen::VectorXd& dead, const std::string& remark) {
+  const auto by_node = [&](const Eigen::VectorXd& vector) {
+    return problems::node_by_node(problem, vector);
+  };
+  auto grid = pictures::structure_grid(truss);
+  grid.remark =
+      fmt::format("{}: {}; {} and {}", truss.name, remark, truss.units.length, truss.units.force);
+  const auto load = load_at_collapse(truss, problem, collapse, dead);
+  auto& points = grid.point_data;
+  points.push_back(pictures::node_vectors("velocity", by_node(collapse.motion)));
+  points.push_back(pictures::node_vectors("dead_load", by_node(dead)));
+  points.push_back(pictures::node_vectors("reference_load", by_node(problem.reference)));
+  points.push_back(pictures::node_vectors("load", load));
+  points.push_back(
+      pictures::node_vectors("support_reaction", support_reactions(truss, load, collapse.forces)));
+  const auto add = [&](const char* name, const Eigen::VectorXd& values) {
+    grid.cell_data.push_back(pictures::member_numbers(grid, name, numbers(values)));
+  };
+  add("axial_force", collapse.forces);
+  add("utilisation", problems::utilisation(problem, collapse.forces));
+  add("elongation_rate", problem.equilibrium.transpose() * collapse.motion);
+  return grid;
+}
+
+}  // namespace
+
+void draw_collapses(OutputFolder& folder, const LimitReport& report) {
+  const auto& truss = report.truss;
+  const auto& problem = report.problem;
+  const auto& answer = report.answer;
+  VtuSeries series(folder);
+  if (answer.nominal) {
+    series.add("nominal.vtu",
+               collapse_grid(truss, problem, *answer.nominal, problem.dead,
+                             fmt::format("collapse at load factor {}", answer.nominal->factor)));
+  }
+  if (answer.worst && answer.worst->collapse) {
+    const auto& collapse = *answer.worst->collapse;
+    series.add("worst-case.vtu",
+               collapse_grid(
+                   truss, problem, collapse, problems::dead_load(problem, answer.worst->zeta),
+                   fmt::format("collapse in the worst case, at load factor {}", collapse.factor)));
+  }
+  series.finish("limit.pvd", problem.name);
 }
 
 }  // namespace kusabi::run

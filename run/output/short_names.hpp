@@ -5,19 +5,17 @@
 #include <string>
 #include <vector>
 
-#include "run/results/result_reader.hpp"
-
 namespace kusabi::run {
 
 class ShortNames {
  public:
-  /// @throws WrongInput
-  explicit ShortNames(const ResultReader& reader);
+  /// @param candidates names of all
+  explicit ShortNames(const std::vector<std::string>& candidates);
 
   /// "all 16", "all but a…c", or "a…c d". Names are in natural order: a2 before a10. Of pairs of
   /// bodies, "a|b", only the node a is named unless it is in several pairs.
   [[nodiscard]] std::string of(const std::vector<std::string>& names) const;
-  /// The same, at most so many characters; the rest is counted: "a…c d and 12 more".
+  /// The same if it has at most so many characters; otherwise "12 of 40 candidates".
   [[nodiscard]] std::string of(const std::vector<std::string>& names, std::size_t maximum) const;
   [[nodiscard]] std::size_t count() const { return order_.size(); }
 

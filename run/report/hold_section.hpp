@@ -1,0 +1,15 @@
+// Loads that can be held, on a page: the chart, and its intervals.
+#pragma once
+
+#include <string>
+
+#include "pictures/html/markup.hpp"
+#include "run/results/result_reader.hpp"
+
+namespace kusabi::run {
+
+/// @param sentence headline @throws WrongInput
+void add_held_loads(pictures::Markup& page, const ResultReader& reader,
+                    const std::string& sentence);
+
+}  // namespace kusabi::run
