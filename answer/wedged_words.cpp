@@ -239,6 +239,13 @@ void reserve(const FrictionSteps& found, std::vector<Reservation>& all) {
                                found.open_patterns == 1 ? "sticks" : "stick"),
                    true});
   }
+  if (found.open_at_most > 0 && found.open_patterns == 0 && found.undecided_points == 0) {
+    all.push_back(
+        {fmt::format("The count at {} is undecided. A smaller --width, or another --mu-max, "
+                     "may decide it.",
+                     found.maximum),
+         true});
+  }
   if (found.undecided_points > 0) {
     all.push_back(
         {fmt::format("The count is undecided at {} of the requested points: these are within a "

@@ -19,7 +19,7 @@
 #include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "problems/families/space_truss.hpp"
 #include "problems/wedged/wedged_problem.hpp"
-#include "run/session/remaining_time.hpp"
+#include "run/session/progress_text.hpp"
 #include "solvers/conic/node_solver.hpp"
 
 namespace {

@@ -8,12 +8,12 @@
 #include "engine/collectives.hpp"
 #include "engine/transport/reason.hpp"
 #include "run/command/command_line.hpp"
+#include "run/command/command_list.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/config_file.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/session/session.hpp"
-#include "run/subcommands.hpp"
 #include "support/input_error.hpp"
 
 namespace {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "run/command/subcommand.hpp"
+
 namespace kusabi::run {
 
 std::string_view group_of(std::string_view name) {
@@ -57,6 +59,35 @@ std::vector<std::string_view> CommandList::words_after(std::string_view group) c
     if (std::ranges::find(words, word) == words.end()) words.push_back(word);
   }
   return words;
+}
+
+CommandList command_list() {
+  return {{patterns_subcommand,
+           rays_subcommand,
+           critical_subcommand,
+           hold_subcommand,
+           limit_subcommand,
+           sweep_subcommand,
+           mip_subcommand,
+           verify_subcommand,
+           show_subcommand,
+           draw_subcommand,
+           report_subcommand,
+           example_space_truss_subcommand,
+           example_plane_truss_subcommand,
+           example_grid_subcommand,
+           example_dome_subcommand,
+           example_tower_subcommand,
+           import_subcommand,
+           export_mps_subcommand,
+           export_cbf_subcommand,
+           export_matrix_subcommand,
+           bench_scaling_subcommand,
+           bench_schedules_subcommand,
+           bench_uts_subcommand},
+          {{"example", "problem files of parametric families"},
+           {"export", "programs and matrices as files for other solvers"},
+           {"bench", "measurements and tests of the search engine"}}};
 }
 
 }  // namespace kusabi::run

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "run/command/config_choice.hpp"
 #include "run/command/option_table.hpp"
 #include "run/command/subcommand.hpp"
 
@@ -70,5 +69,8 @@ class CommandList {
 std::string_view group_of(std::string_view name);
 /// "grid" for "example grid", and for "grid".
 std::string_view last_word(std::string_view name);
+
+/// A new list of all subcommands with their option tables, in the order of `kusabi help`.
+CommandList command_list();
 
 }  // namespace kusabi::run

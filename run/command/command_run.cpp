@@ -20,13 +20,13 @@
 #include "engine/collectives.hpp"
 #include "engine/signals.hpp"
 #include "engine/transport/mpi.hpp"
-#include "run/output/conclusion_text.hpp"
-#include "run/output/last_steps.hpp"
+#include "run/output/output_file.hpp"
 #include "run/output/standard_output.hpp"
+#include "run/output/terminal_page.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
-#include "run/session/analysis_options.hpp"
 #include "run/session/kept_state.hpp"
+#include "run/session/progress_line.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::run {
@@ -53,9 +53,6 @@ CommandRun::CommandRun(Session& session, const CommandList::Entry& entry, const 
 
 int CommandRun::execute() {
   check();
-  if (session_.is_first() && !session_.silent()) {
-    for (const auto& line : table_.warnings()) warn(line);
-  }
   if (auto* const limits = table_.ends_with_the_job()) limits->seconds = job_end_.read(session_);
   command_.read(*this);
   outputs_.open(session_, input());

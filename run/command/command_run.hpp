@@ -28,9 +28,9 @@
 #include "run/command/subcommand.hpp"
 #include "run/output/json_writer.hpp"
 #include "run/output/terminal_page.hpp"
-#include "run/session/job_end.hpp"
 #include "run/session/kept_state.hpp"
 #include "run/session/session.hpp"
+#include "run/session/time_limit.hpp"
 #include "support/stop.hpp"
 
 namespace kusabi::run {

@@ -1,6 +1,4 @@
 // One script per shell, in its own language, without further dependencies.
-#include "run/command/completion.hpp"
-
 #include <iterator>
 
 #include <fmt/format.h>
@@ -28,7 +26,7 @@ std::string within_quotes(std::string_view text) {
 std::string option_names(const OptionTable& table) {
   std::string names = "--help";
   for (const auto& row : table.rows()) {
-    if (row.named() && row.shown()) names += fmt::format(" {}", fmt::join(row.names(), " "));
+    if (row.named()) names += fmt::format(" {}", fmt::join(row.names(), " "));
   }
   return names;
 }
@@ -40,7 +38,7 @@ std::string bash_values(const OptionTable& table) {
   std::string text;
   const auto out = std::back_inserter(text);
   for (const auto& row : table.rows()) {
-    if (!row.named() || !row.shown() || row.value.empty()) continue;
+    if (!row.named() || row.value.empty()) continue;
     const auto reply = !row.words.empty()    ? fmt::format("'{}'", fmt::join(row.words, " "))
                        : row.value == "DIR"  ? std::string("-d")
                        : is_file_option(row) ? std::string("-f")
@@ -134,7 +132,6 @@ std::string zsh_arguments(const OptionTable& table) {
   std::string text = "_arguments '(- *)'{-h,--help}'[print help]'";
   const auto out = std::back_inserter(text);
   for (const auto& row : table.rows()) {
-    if (!row.shown()) continue;
     if (row.named()) {
       const auto name = row.letter.empty()
                             ? fmt::format("'{}", row.name)
@@ -196,7 +193,6 @@ void fish_options(std::string& text, const std::string& when, const OptionTable&
   const auto out = std::back_inserter(text);
   bool files = false;
   for (const auto& row : table.rows()) {
-    if (!row.shown()) continue;
     if (!row.named()) {
       files = true;
       continue;

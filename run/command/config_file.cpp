@@ -79,7 +79,7 @@ void check_key(const TomlReader& reader, const toml::key& key, const OptionTable
   if (row == nullptr) {
     std::vector<std::string_view> names;
     for (const auto& each : table.rows()) {
-      if (each.named() && each.shown() && no_default(each).empty())
+      if (each.named() && no_default(each).empty())
         names.push_back(std::string_view(each.name).substr(2));
     }
     unknown(reader, key, "option", names);
@@ -158,7 +158,8 @@ class ConfigReader {
     for (const auto& [option, value] : table_of(node, name)) {
       check_key(reader_, option, entry->table);
       if (entry != &entry_) continue;
-      auto& row = entry_.table.current("--" + std::string(option.str()));
+      auto& row = *std::ranges::find(entry_.table.rows(), "--" + std::string(option.str()),
+                                     &OptionRow::name);
       auto text = value_of(reader_, option, value, row);
       if (text && !row.given) wanted_.push_back({&row, *std::move(text), &value, option.str()});
     }

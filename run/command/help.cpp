@@ -135,7 +135,7 @@ std::string help(const CommandList::Entry& entry) {
   std::string required;
   std::string optional;
   for (const auto& row : entry.table.rows()) {
-    if (row.shown()) (row.required ? required : optional) += entry_of(row);
+    (row.required ? required : optional) += entry_of(row);
   }
   optional += entry_of("-h, --help", "print this help");
   if (!required.empty()) text += "\nRequired:\n" + required;

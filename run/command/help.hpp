@@ -1,7 +1,9 @@
-// Text of `kusabi help`, generated from the option tables, within 80 columns.
+// Texts generated from the option tables: `kusabi help` within 80 columns, manual pages, completion
+// scripts; and the version.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "run/command/command_list.hpp"
@@ -28,5 +30,24 @@ std::vector<std::string> shown_names(const OptionRow& row);
 
 /// Placeholder of the value of an option: "NUMBER", "FILE", "WORD"; empty: a switch.
 std::string value_name(const OptionRow& row);
+
+/// kusabi.1: all subcommands in a line each, options of `kusabi` itself, examples, files.
+std::string manual(const CommandList& list);
+
+/// The page of one subcommand: kusabi-patterns.1.
+std::string manual(const CommandList& list, const CommandList::Entry& entry);
+
+/// The page of a group, which lists its subcommands: kusabi-bench.1.
+std::string manual(const CommandList& list, const CommandList::Group& group);
+
+/// @param shell "bash", "zsh" or "fish" @throws WrongCall for any other
+std::string completion(const CommandList& list, std::string_view shell);
+
+/// The first line is "kusabi VERSION"; commit, MPI library, compiler and libraries follow, one per
+/// line.
+std::string version();
+
+/// Date of this version in CITATION.cff: "2026-11-25".
+std::string_view release_date();
 
 }  // namespace kusabi::run

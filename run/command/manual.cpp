@@ -1,6 +1,4 @@
 // Sections in the order of man-pages(7).
-#include "run/command/manual.hpp"
-
 #include <algorithm>
 #include <iterator>
 
@@ -8,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include "run/command/help.hpp"
-#include "run/command/version.hpp"
 #include "run/output/terminal_page.hpp"
 #include "run/session/progress_text.hpp"
 
@@ -131,7 +128,7 @@ std::string example(const CommandList::Entry& entry) {
 std::string options(const CommandList::Entry& entry) {
   std::string text;
   for (const auto& row : entry.table.rows()) {
-    if (row.shown()) text += paragraph(row);
+    text += paragraph(row);
   }
   return text;
 }

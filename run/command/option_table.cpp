@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <system_error>
 #include <type_traits>
 #include <utility>
 
@@ -12,12 +15,20 @@
 #include <nlohmann/json.hpp>
 
 #include "run/command/output_set.hpp"
-#include "run/output/number_in.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/session/time_limit.hpp"
 
 namespace kusabi::run {
 namespace {
+
+/// A finite number; nothing if the text is anything else.
+inline std::optional<double> number_in(const std::string& text) {
+  double value = 0;
+  const auto* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value)) return {};
+  return value;
+}
 
 using nlohmann::ordered_json;
 
@@ -461,41 +472,6 @@ void OptionTable::save_on(CheckpointChoice& choice) {
       .varies();
 }
 
-void OptionTable::former_names_of_resume() {
-  former_name("--checkpoint", "--resume");
-  former_name("--restart", "--resume");
-}
-
-void OptionTable::former_name(std::string name, const std::string& option, FormerName kind) {
-  const auto& present = *find(option);
-  add({.name = std::move(name),
-       .value = present.value,
-       .shows_range = present.shows_range,
-       .expected = present.expected,
-       .help = fmt::format("former name of {}", option),
-       .replaced_by = option,
-       .warns = kind == FormerName::warned,
-       .role = present.role,
-       .store = present.store});
-}
-
-std::string OptionTable::replace_former_names() {
-  for (auto& row : rows_) {
-    if (row.shown() || !row.given) continue;
-    auto& present = current(row.replaced_by);
-    if (present.given && present.given != row.given) {
-      return fmt::format("{} is a {}, which is given as {}, too; expected {} alone", row.name,
-                         row.help, run::quoted(*present.given), present.name);
-    }
-    present.store(*row.given);
-    present.given = std::exchange(row.given, std::nullopt);
-    if (!row.warns) continue;
-    warnings_.push_back(fmt::format("{} is a former name of {}; expected {}", row.name,
-                                    present.name, present.name));
-  }
-  return {};
-}
-
 void OptionTable::config(ConfigChoice& choice) {
   file("--config", choice.file, Role::input, "TOML file with defaults of options").varies();
   flag("--no-config", choice.none, "ignore all files with defaults").varies();
@@ -504,11 +480,6 @@ void OptionTable::config(ConfigChoice& choice) {
 const OptionRow* OptionTable::find(std::string_view name) const {
   const auto found = std::ranges::find(rows_, name, &OptionRow::name);
   return found == rows_.end() ? nullptr : &*found;
-}
-
-OptionRow& OptionTable::current(std::string_view name) {
-  auto& row = *std::ranges::find(rows_, name, &OptionRow::name);
-  return row.shown() ? row : current(row.replaced_by);
 }
 
 std::vector<std::pair<std::string, std::string>> OptionTable::facts() const {

@@ -3,6 +3,7 @@
 // (run/command/command_line).
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -21,10 +22,24 @@
 
 #include "engine/options.hpp"
 #include "engine/statistics.hpp"
-#include "run/command/config_choice.hpp"
-#include "run/command/option_words.hpp"
 
 namespace kusabi::run {
+
+/// File of default options, as named in the call.
+struct ConfigChoice {
+  std::string file;   ///< of --config; empty: the default place
+  bool none = false;  ///< --no-config
+};
+
+/// Words of an option and their values, for its choice in a call and its name in results.
+template <class T>
+using OptionWords = std::vector<std::pair<std::string, T>>;
+
+/// @pre the value has a word
+template <class T>
+const std::string& word_of(const OptionWords<T>& words, const T& value) {
+  return std::ranges::find(words, value, &std::pair<std::string, T>::second)->first;
+}
 
 /// Range of a number.
 struct Range {
@@ -69,8 +84,6 @@ struct OptionRow {
   bool required = false;
   std::string needs{};        ///< an option that this one requires
   std::string needs_value{};  ///< its required value; empty: any
-  std::string replaced_by{};  ///< the option of which this is a former name, not shown; empty: none
-  bool warns = true;          ///< of a former name: its use is answered with a warning
   Role role = Role::plain;
   std::vector<std::string> endings{""};  ///< permitted endings of file names
   /// Status of a search that this option stops; a resumed call leaves the option out.
@@ -96,11 +109,9 @@ struct OptionRow {
   }
   /// True if the answer may depend on its value, which result files then contain.
   [[nodiscard]] bool is_asked() const {
-    return named() && shown() && (role == Role::plain || role == Role::input) && of_answer &&
+    return named() && (role == Role::plain || role == Role::input) && of_answer &&
            matters.value_or(true);
   }
-  /// True if help, manual pages and completion show it.
-  [[nodiscard]] bool shown() const { return replaced_by.empty(); }
   /// All spellings in a call: {"-o", "--output"}.
   [[nodiscard]] std::vector<std::string> names() const {
     return letter.empty() ? std::vector{name} : std::vector{letter, name};
@@ -134,9 +145,6 @@ class RowBuilder {
  private:
   OptionRow& row_;
 };
-
-/// Use of a former name of an option.
-enum class FormerName { warned, silent };
 
 /// Variable of a number. If it is empty, the greatest value of its type or out of range before the
 /// call is read, the option has no default.
@@ -229,11 +237,6 @@ class OptionTable {
   /// --time-limit and --node-limit.
   void search_limits(engine::Limits& limits);
   void resume(CheckpointChoice& choice, const std::string& help = "");
-  /// --checkpoint and --restart, former names of --resume: accepted with a warning, not shown.
-  void former_names_of_resume();
-  /// A former name of an option of the table, not shown.
-  void former_name(std::string name, const std::string& option,
-                   FormerName kind = FormerName::warned);
   void save_on(CheckpointChoice& choice);  ///< for searches for an optimum
   void config(ConfigChoice& choice);
 
@@ -241,15 +244,6 @@ class OptionTable {
   [[nodiscard]] std::deque<OptionRow>& rows() { return rows_; }
   /// The row of that name; null if there is none.
   [[nodiscard]] const OptionRow* find(std::string_view name) const;
-
-  /// The row of that name, or the present one of a former name. @pre there is one
-  [[nodiscard]] OptionRow& current(std::string_view name);
-
-  /// Moves values given by former names to the options of today.
-  /// @return an error message, if two of them differ; empty: none
-  [[nodiscard]] std::string replace_former_names();
-  /// Warnings about the call.
-  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
   /// Options that results depend on, with their values or defaults.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> facts() const;
@@ -274,7 +268,6 @@ class OptionTable {
                   std::function<void(std::size_t)> take, std::string help);
 
   std::deque<OptionRow> rows_;  // at fixed addresses
-  std::vector<std::string> warnings_;
   // for switches that are only read through `OptionRow::given`
   bool switched_ = false;
   std::string named_;

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "run/output/outputs.hpp"
+#include "run/output/output_file.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -10,8 +10,6 @@
 #include "run/command/option_table.hpp"
 #include "run/command/subcommand.hpp"
 #include "run/output/output_file.hpp"
-#include "run/output/output_folder.hpp"
-#include "run/output/outputs.hpp"
 #include "run/session/session.hpp"
 
 namespace kusabi::run {

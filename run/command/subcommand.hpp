@@ -1,19 +1,37 @@
 // Subcommand: the options of a subcommand and its work at each stage of a run. CommandRun does the
-// common work between the stages; run/subcommands.cpp lists all subcommands.
+// common work between the stages. Each subcommand is registered by a constant below its class.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "answer/verdict.hpp"
 #include "run/command/option_table.hpp"
-#include "run/command/subcommand_text.hpp"
 #include "run/session/time_limit.hpp"
 
 namespace kusabi::run {
+
+/// Progress lines of a subcommand, which its help explains.
+enum class ProgressLines {
+  none,
+  solutions,  ///< number of solutions found
+  bounds,     ///< best value, bound and gap
+};
+
+/// Texts of a subcommand, from which the list of all, help, manual pages and completion are made.
+struct SubcommandText {
+  std::string_view name{};         ///< in a call: one word, or a group and a word
+  std::string_view chapter{};      ///< of the list of all subcommands
+  std::string_view purpose{};      ///< in a few words, for lists
+  std::string_view description{};  ///< in sentences; empty: none besides the purpose
+  /// A call that works from the top of the source tree, without `kusabi` and the name.
+  std::string_view example{};
+  ProgressLines progress = ProgressLines::none;
+};
 
 class CommandRun;
 
@@ -76,5 +94,13 @@ struct Registration {
   SubcommandText text{};
   std::unique_ptr<Subcommand> (*make)() = nullptr;
 };
+
+extern const Registration patterns_subcommand, rays_subcommand, critical_subcommand,
+    hold_subcommand, limit_subcommand, sweep_subcommand, mip_subcommand, verify_subcommand,
+    show_subcommand, draw_subcommand, report_subcommand, example_space_truss_subcommand,
+    example_plane_truss_subcommand, example_grid_subcommand, example_dome_subcommand,
+    example_tower_subcommand, import_subcommand, export_mps_subcommand, export_cbf_subcommand,
+    export_matrix_subcommand, bench_scaling_subcommand, bench_schedules_subcommand,
+    bench_uts_subcommand;
 
 }  // namespace kusabi::run

@@ -1,6 +1,4 @@
 // Versions of MPI and GLPK as linked, of other libraries as compiled.
-#include "run/command/version.hpp"
-
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -12,6 +10,8 @@
 #include <gmp.h>
 #include <kusabi_commit.hpp>  // made by cmake/commit.cmake
 #include <mpi.h>
+
+#include "run/command/help.hpp"
 
 namespace kusabi::run {
 namespace {

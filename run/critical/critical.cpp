@@ -3,28 +3,100 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "nodes/wedged/critical/bound_record.hpp"
 #include "nodes/wedged/critical_search.hpp"
 #include "nodes/wedged/friction/critical_friction.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "run/command/command_run.hpp"
-#include "run/command/registrations.hpp"
-#include "run/critical/critical_certificate.hpp"
-#include "run/critical/critical_report.hpp"
-#include "run/critical/critical_verdict.hpp"
+#include "run/command/subcommand.hpp"
+#include "run/evidence/certificate_file.hpp"
+#include "run/output/standard_output.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/pictures/vtu_series.hpp"
-#include "run/wedged/configuration_grid.hpp"
+#include "run/session/session.hpp"
+#include "run/wedged/configuration_files.hpp"
 #include "run/wedged/contact_problem.hpp"
-#include "run/wedged/cuts_words.hpp"
 #include "run/wedged/problem_summary.hpp"
-#include "run/wedged/whole_state_json.hpp"
+#include "support/fingerprint.hpp"
 
 namespace kusabi::run {
 namespace {
+
+/// Certificates of both bounds, NAME.lower and NAME.upper.
+struct BoundCertificates {
+  std::string name;    ///< without its ending; empty: none is written
+  std::string input;   ///< problem file
+  bool quiet = false;  ///< file names are not printed
+};
+
+/// True for the bounds whose certificates exist.
+struct WrittenCertificates {
+  bool lower = false;
+  bool upper = false;
+};
+
+class BoundCertificate final : public wedged::BoundRecord {
+ public:
+  BoundCertificate(Session& session, const BoundCertificates& certificates, const std::string& name,
+                   std::uint64_t tree, const problems::WedgedProblem& problem,
+                   std::span<const double> friction, bool& written)
+      : session_(session),
+        written_(written),
+        quiet_(certificates.quiet),
+        name_(name),
+        problem_(problem),
+        friction_(friction.begin(), friction.end()),
+        file_(session, name, certificates.input, tree, false) {}
+
+  void add(const wedged::Evidence& evidence) override { file_.add(evidence); }
+
+  void end(std::span<const wedged::ProvedBound> bounds, wedged::BoundClaim claim,
+           bool holds) override {
+    file_.close();
+    written_ = holds;
+    if (!session_.is_first()) return;
+    if (holds) {
+      const bool one = claim == wedged::BoundClaim::one_pattern;
+      file_.put_in_place(certificate_header(problem_, friction_, bounds) +
+                         (one ? one_pattern_line : ""));
+      if (!quiet_) print_written({name_});
+    }
+  }
+
+ private:
+  Session& session_;
+  bool& written_;
+  bool quiet_;
+  std::string name_;
+  const problems::WedgedProblem& problem_;
+  std::vector<double> friction_;
+  CertificateFile file_;
+};
+
+// Recorder of both bounds. Session, problem and `written` must outlive it.
+wedged::BoundRecorder bound_recorder(Session& session, BoundCertificates certificates,
+                                     const problems::WedgedProblem& problem,
+                                     WrittenCertificates& written) {
+  if (certificates.name.empty()) return {};
+  return [&session, &problem, &written, certificates = std::move(certificates)](
+             wedged::BracketSide side, double factor,
+             std::span<const double> friction) -> std::unique_ptr<wedged::BoundRecord> {
+    support::Fingerprint fingerprint;
+    fingerprint.add(problem.provenance.fingerprint);
+    fingerprint.add(factor);
+    const bool lower = side == wedged::BracketSide::lower;
+    return std::make_unique<BoundCertificate>(
+        session, certificates, certificates.name + (lower ? ".lower" : ".upper"),
+        fingerprint.value(), problem, friction, lower ? written.lower : written.upper);
+  };
+}
 
 class Critical final : public Subcommand {
  public:
@@ -77,7 +149,6 @@ void Critical::describe(OptionTable& table) {
       .number("--list-nodes", &options_.parameters.list_nodes, above(0),
               "maximum number of nodes that are opened for --list")
       .needs("--list");
-  table.former_name("--list-limit", "--list-nodes");
   table.top(options_.top, ", smallest coefficients first");
   table.output();
   table.csv_of("patterns");

@@ -4,12 +4,19 @@
 
 #include <cstdint>
 #include <limits>
+#include <ostream>
 #include <string>
 
+#include <nlohmann/json.hpp>
+
+#include "answer/verdict.hpp"
 #include "engine/options.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
+#include "problems/wedged/wedged_problem.hpp"
 #include "run/command/option_table.hpp"
 #include "run/command/problem_input.hpp"
+#include "run/output/terminal_page.hpp"
+#include "run/wedged/configuration_files.hpp"
 
 namespace kusabi::run {
 
@@ -22,5 +29,30 @@ struct CriticalOptions {
   engine::Limits limits;    ///< limits of the search
   CheckpointChoice checkpoint;
 };
+
+/// Patterns, bracket and costs as text. @param page page of the output
+std::string critical_table(const CriticalOptions& options, const problems::WedgedProblem& problem,
+                           const wedged::CriticalFindings& findings, const Page& page);
+
+/// The member `result` of a result file. @param whole of the same structure
+nlohmann::ordered_json critical_json(const CriticalOptions& options,
+                                     const problems::WedgedProblem& problem,
+                                     const wedged::CriticalFindings& findings,
+                                     const WholeStateJson& whole);
+
+/// The costs of the searches: its member `statistics`.
+nlohmann::ordered_json critical_statistics(const wedged::CriticalFindings& findings);
+
+/// One row per pattern, in the order of the result file.
+void write_critical_csv(std::ostream& out, const problems::WedgedProblem& problem,
+                        const wedged::CriticalFindings& findings);
+
+answer::CriticalBracket critical_bracket(const CriticalOptions& options,
+                                         const problems::WedgedProblem& problem,
+                                         const wedged::CriticalFindings& findings);
+
+answer::Verdict critical_verdict(const CriticalOptions& options,
+                                 const problems::WedgedProblem& problem,
+                                 const wedged::CriticalFindings& findings);
 
 }  // namespace kusabi::run

@@ -1,16 +1,14 @@
 // Table and JSON of `kusabi critical`.
-#include "run/critical/critical_report.hpp"
-
 #include <iterator>
 
 #include <fmt/format.h>
 
 #include "answer/values.hpp"
 #include "answer/words.hpp"
-#include "run/critical/critical_verdict.hpp"
+#include "run/critical/critical.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
-#include "run/wedged/configuration_csv.hpp"
+#include "run/wedged/configuration_files.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "support/rounded_bounds.hpp"
 

@@ -1,11 +1,10 @@
 // Both bounds with their standing, and the pattern that sticks first.
-#include "run/critical/critical_verdict.hpp"
-
 #include <algorithm>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "run/critical/critical.hpp"
 #include "run/wedged/contact_words.hpp"
 
 namespace kusabi::run {

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "run/command/command_run.hpp"
-#include "run/command/registrations.hpp"
+#include "run/command/subcommand.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/results/hold_chart.hpp"
 #include "run/results/result_reader.hpp"
@@ -23,7 +23,6 @@ class Draw final : public Subcommand {
   void describe(OptionTable& table) override {
     table.result(file_);
     table.output("SVG file. Default: standard output");
-    table.former_name("--svg", "--output", FormerName::silent);
     table.number("--pattern", &pattern_, above(0),
                  "number of the pattern or ray to draw in detail; for a result of kusabi limit, 1 "
                  "is the nominal load and 2 the worst case or the worst loss");

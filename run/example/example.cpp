@@ -13,7 +13,7 @@
 #include "problems/families/tower.hpp"
 #include "problems/files/toml/structure_writer.hpp"
 #include "run/command/command_run.hpp"
-#include "run/command/registrations.hpp"
+#include "run/command/subcommand.hpp"
 #include "run/output/wrong_input.hpp"
 
 namespace kusabi::run {

@@ -1,6 +1,4 @@
 // Tables of the pieces of a diagram, and of intervals.
-#include "run/hold/diagram_report.hpp"
-
 #include <iterator>
 #include <string>
 #include <vector>
@@ -8,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "answer/words.hpp"
-#include "run/hold/hold_report.hpp"
+#include "run/hold/hold.hpp"
 #include "run/output/csv.hpp"
 
 namespace kusabi::run {
@@ -41,7 +39,10 @@ void write_intervals(CsvWriter& csv, const wedged::LoadedProblem& loaded,
       csv.count(++number).number(each.low.value).number(each.high.value);
       const auto outside = both(each.low_out.standing, each.high_out.standing);
       csv.word(answer::standing_word(both(each.held(), outside)));
-      csv.text(contact_of(loaded, each.block, each.pattern)).end_row();
+      if (each.pattern)
+        csv.text(contact_of(loaded, each.block, each.pattern)).end_row();
+      else
+        csv.nothing().end_row();
     }
     if (several && number == 0)
       csv.number(point.mu).nothing().nothing().nothing().text(none(point)).nothing().end_row();
@@ -50,7 +51,7 @@ void write_intervals(CsvWriter& csv, const wedged::LoadedProblem& loaded,
 
 }  // namespace
 
-ordered_json pieces_json(const wedged::LoadedProblem& loaded, const wedged::Diagram& diagram) {
+ordered_json diagram_pieces(const wedged::LoadedProblem& loaded, const wedged::Diagram& diagram) {
   auto pieces = ordered_json::array();
   for (const auto& piece : diagram.pieces) {
     pieces.push_back({{"pattern", pattern_names(loaded, piece.pattern)},

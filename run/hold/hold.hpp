@@ -1,18 +1,23 @@
 // `kusabi hold FILE`: states of equilibrium under load. Without --mu the smallest friction
 // coefficient at which the dead load can be held; with it the factors of the reference load that
-// can be held in addition.
+// can be held in addition. Options, findings, verdict, tables, JSON and CSV.
 #pragma once
 
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
+#include "answer/verdict.hpp"
 #include "engine/options.hpp"
 #include "nodes/wedged/hold/diagram.hpp"
 #include "nodes/wedged/hold/grip_search.hpp"
 #include "nodes/wedged/hold/hold_search.hpp"
+#include "nodes/wedged/hold/load_program.hpp"
 #include "run/command/option_table.hpp"
 #include "run/command/problem_input.hpp"
 
@@ -71,5 +76,39 @@ struct HoldFindings {
     return all;
   }
 };
+
+/// Names of the candidates in contact, for tables.
+std::string contact_of(const wedged::LoadedProblem& loaded, std::uint32_t block,
+                       const std::optional<wedged::LoadedPattern>& pattern);
+/// The same of a pattern of the whole problem.
+std::string contact_of(const wedged::LoadedProblem& loaded, const wedged::LoadedPattern& pattern);
+/// Names of the candidates in contact and of those separated. @param pattern of the whole problem
+nlohmann::ordered_json pattern_names(const wedged::LoadedProblem& loaded,
+                                     const wedged::LoadedPattern& pattern);
+
+/// Bracket or intervals, and the costs of the searches.
+std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                       const HoldFindings& findings);
+
+/// The member `result` of a result file.
+nlohmann::ordered_json hold_json(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                                 const HoldFindings& findings);
+
+/// The costs of the searches: its member `statistics`.
+nlohmann::ordered_json costs_json(const HoldFindings& findings);
+
+answer::Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                             const HoldFindings& findings);
+
+/// The pieces of the diagram.
+nlohmann::ordered_json diagram_pieces(const wedged::LoadedProblem& loaded,
+                                      const wedged::Diagram& diagram);
+
+/// One row per piece.
+std::string diagram_table(const wedged::LoadedProblem& loaded, const wedged::Diagram& diagram);
+
+/// One row per vertex or direction of a piece, or per interval.
+void write_held_csv(std::ostream& out, const HoldOptions& options,
+                    const wedged::LoadedProblem& loaded, const HoldFindings& findings);
 
 }  // namespace kusabi::run

@@ -1,6 +1,4 @@
 // Table and JSON of `kusabi hold`.
-#include "run/hold/hold_report.hpp"
-
 #include <cmath>
 #include <iterator>
 
@@ -9,7 +7,7 @@
 #include "answer/values.hpp"
 #include "answer/words.hpp"
 #include "problems/wedged/problem_block.hpp"
-#include "run/hold/diagram_report.hpp"
+#include "run/hold/hold.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "support/rounded_bounds.hpp"
 
@@ -45,7 +43,7 @@ ordered_json names_in_block(const wedged::LoadedProblem& loaded, std::uint32_t b
 }
 
 std::string grip_table(const wedged::GripRange& found) {
-  if (!found.held) return {};
+  if (!found.held || found.status != engine::Status::solved) return {};
   const auto minimum = support::in_table(found.minimum.out.value, found.minimum.held.value);
   if (!found.maximum.unbounded && !found.maximum.known) return {};
   if (found.maximum.unbounded)
@@ -118,7 +116,7 @@ ordered_json costs_json(const HoldFindings& findings) {
 
 namespace {
 
-/// What the answer does not have: a pattern and a state at an end of each interval.
+/// The pattern and the state at an end of each interval, which the answer does not have.
 ordered_json intervals_json(const wedged::LoadedProblem& loaded, const wedged::HeldFactors& found) {
   auto intervals = ordered_json::array();
   for (const auto& each : found.intervals) {
@@ -146,7 +144,7 @@ ordered_json hold_json(const HoldOptions& options, const wedged::LoadedProblem& 
   } else if (!findings.points.empty()) {
     result["intervals"] = intervals_json(loaded, findings.points.front().factors);
   }
-  if (findings.diagram) result["pieces"] = pieces_json(loaded, *findings.diagram);
+  if (findings.diagram) result["pieces"] = diagram_pieces(loaded, *findings.diagram);
   return result;
 }
 
@@ -186,8 +184,10 @@ std::string points_table(const wedged::LoadedProblem& loaded,
     if (point.factors.intervals.empty()) text += fmt::format("{}  {:>18}\n", mu, "-");
   }
   text += "(factors of the reference load at friction coefficients mu)\n";
-  for (const auto& point : points)
-    if (point.grip) text += fmt::format("at {}: {}", point.mu, grip_table(*point.grip));
+  for (const auto& point : points) {
+    const auto grip = point.grip ? grip_table(*point.grip) : std::string();
+    if (!grip.empty()) text += fmt::format("at {}: {}", point.mu, grip);
+  }
   return text;
 }
 

@@ -1,6 +1,4 @@
 // Answers of `kusabi hold` with what is proved of each.
-#include "run/hold/hold_verdict.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -12,6 +10,7 @@
 #include "answer/answer_words.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "problems/wedged/wedged_problem.hpp"
+#include "run/hold/hold.hpp"
 #include "run/wedged/contact_words.hpp"
 
 namespace kusabi::run {
@@ -76,13 +75,14 @@ answer::HoldingDiagram diagram_of(const HoldOptions& options, const wedged::Load
   const auto count = [&](auto is) {
     return static_cast<std::uint64_t>(std::ranges::count_if(found.pieces, is));
   };
+  const bool complete = found.status == engine::Status::solved;
   return {.friction = options.points.front(),
           .factor = !problems::uniform_friction(loaded.problem),
           .cases = options.cases,
           .pieces = found.pieces.size(),
           .everything = count([](const auto& piece) { return piece.is_whole_plane; }) > 0,
-          .outside = found.outside,
-          .open = found.unresolved,
+          .outside = complete ? found.outside : support::Standing::computed,
+          .open = found.unresolved || !complete,
           .coarse = count([](const auto& piece) { return !piece.fine; })};
 }
 

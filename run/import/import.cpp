@@ -15,7 +15,7 @@
 #include "problems/files/problem_text.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/command/command_run.hpp"
-#include "run/command/registrations.hpp"
+#include "run/command/subcommand.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/session/kept_state.hpp"
 #include "run/show/structure_summary.hpp"

@@ -1,6 +1,4 @@
 // List of curves, and the text of a piece in each view.
-#include "run/limit/curve_report.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <vector>
@@ -15,6 +13,7 @@
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "run/limit/limit_cases.hpp"
+#include "run/limit/limit_report.hpp"
 #include "run/output/csv.hpp"
 
 namespace kusabi::run {

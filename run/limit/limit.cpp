@@ -1,6 +1,4 @@
 // `kusabi limit`: options, stages and results, on all ranks.
-#include "run/limit/limit.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
@@ -14,6 +12,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "answer/words.hpp"
 #include "engine/collectives.hpp"
 #include "nodes/limit/limit_loads.hpp"
 #include "problems/files/sections/node_forces.hpp"
@@ -22,11 +21,9 @@
 #include "problems/structure/model/load_cases.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/listed_names.hpp"
-#include "run/command/registrations.hpp"
-#include "run/limit/curve_report.hpp"
+#include "run/command/subcommand.hpp"
 #include "run/limit/limit_cases.hpp"
 #include "run/limit/limit_report.hpp"
-#include "run/limit/limit_words.hpp"
 #include "run/output/standard_output.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"

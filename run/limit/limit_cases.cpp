@@ -13,8 +13,6 @@
 #include "answer/values.hpp"
 #include "answer/words.hpp"
 #include "run/limit/limit_report.hpp"
-#include "run/limit/limit_words.hpp"
-#include "run/limit/loss_report.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
 
 namespace kusabi::run {

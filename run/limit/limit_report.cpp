@@ -13,11 +13,6 @@
 #include "answer/words.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
-#include "run/limit/curve_report.hpp"
-#include "run/limit/limit_words.hpp"
-#include "run/limit/loss_report.hpp"
-#include "run/limit/strut_report.hpp"
-#include "run/limit/zero_one_report.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
 #include "support/rounded_bounds.hpp"
 

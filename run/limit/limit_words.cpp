@@ -1,6 +1,4 @@
 // Sentences about members and loads, and lists of names with values.
-#include "run/limit/limit_words.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -20,8 +18,7 @@
 #include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "problems/limit/utilisation.hpp"
-#include "run/limit/loss_report.hpp"
-#include "run/limit/strut_report.hpp"
+#include "run/limit/limit_report.hpp"
 #include "run/output/name_ranges.hpp"
 #include "support/rounded_bounds.hpp"
 

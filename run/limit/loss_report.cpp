@@ -1,6 +1,4 @@
 // Names of members, and one row for each.
-#include "run/limit/loss_report.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -16,7 +14,6 @@
 #include "answer/words.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "run/limit/limit_report.hpp"
-#include "run/limit/limit_words.hpp"
 #include "run/output/values.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
 #include "support/rounded_bounds.hpp"

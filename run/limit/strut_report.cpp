@@ -1,6 +1,4 @@
 // Both factors of the bracket, each with its standing.
-#include "run/limit/strut_report.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <tuple>
@@ -12,7 +10,7 @@
 #include "answer/values.hpp"
 #include "answer/words.hpp"
 #include "problems/limit/utilisation.hpp"
-#include "run/limit/loss_report.hpp"
+#include "run/limit/limit_report.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
 
 namespace kusabi::run {

@@ -1,6 +1,4 @@
 // Results of the zero-one program.
-#include "run/limit/zero_one_report.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -9,6 +7,7 @@
 
 #include "answer/values.hpp"
 #include "answer/words.hpp"
+#include "run/limit/limit_report.hpp"
 
 namespace kusabi::run {
 namespace {

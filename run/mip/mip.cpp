@@ -19,7 +19,7 @@
 #include "engine/options.hpp"
 #include "nodes/zero_one/mixed_search.hpp"
 #include "run/command/command_run.hpp"
-#include "run/command/registrations.hpp"
+#include "run/command/subcommand.hpp"
 #include "run/output/csv.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/terminal_page.hpp"
@@ -300,7 +300,6 @@ void Mip::describe(OptionTable& table) {
       .stops(engine::Status::gap_limit)
       .varies();
   table.resume(options_.checkpoint);
-  table.former_names_of_resume();
   table.save_on(options_.checkpoint);
   table.quiet_and_serial();
 }

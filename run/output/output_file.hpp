@@ -1,12 +1,16 @@
-// OutputFile: a file that is written beside its destination and renamed, so that readers never see
-// a partial file. It is opened before the search, so that an invalid name is reported at once. The
-// file beside is PLACE.HOST.PROCESS.tmp, locked while its process lives; one that a killed process
-// has left is removed by the next process with the same destination.
+// Places of outputs are checked before the search, so that an invalid name is reported at once.
+// OutputFile is a file, and OutputFolder one of many, that is written beside its destination and
+// renamed, so that readers never see a partial one. The file beside is PLACE.HOST.PROCESS.tmp, locked
+// while its process lives; one that a killed process has left is removed by the next process with
+// the same destination.
 #pragma once
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <iosfwd>
 #include <string>
+#include <vector>
 
 namespace kusabi::run {
 
@@ -45,5 +49,60 @@ class OutputFile {
   int lock_ = -1;                 // descriptor of the temporary file
   std::ofstream file_;
 };
+
+/// A folder of output files, created before the search, so that an invalid name is reported at once.
+/// Each file in it appears complete or not at all.
+class OutputFolder {
+ public:
+  /// Creates the folder unless it exists; its parent must exist. An empty name: no folder.
+  /// @param option option that names the folder, for messages
+  /// @param input the problem file, which must not be a file of the folder
+  /// @throws WrongInput if it exists and is not a folder, or cannot be created
+  OutputFolder(std::string option, const std::string& name, std::string input);
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+  ~OutputFolder();  ///< removes a folder created here that is empty
+
+  [[nodiscard]] bool wanted() const { return !place_.empty(); }
+
+  /// Writes one file. @pre wanted() @throws WrongInput, std::runtime_error if it cannot be written
+  void write(const std::string& file, const std::function<void(std::ostream&)>& write_to);
+
+  /// Path of the last file written, relative to the folder as it was given.
+  [[nodiscard]] std::string last() const { return last_.string(); }
+
+ private:
+  std::string option_;
+  std::string input_;
+  std::filesystem::path place_;
+  std::filesystem::path last_;
+  bool made_ = false;
+};
+
+/// A file of the call and its option.
+struct NamedFile {
+  std::string option;  ///< "--output"; for messages
+  std::string name;    ///< empty: the option was not given
+};
+
+/// Throws if two outputs are the same file, if one is the input, or if one cannot be written. Names
+/// of one destination (links are followed), names of one file (hard links), and names of one pipe
+/// or device are the same; /dev/null may be used several times. State files are checked in
+/// run/session/kept_state.hpp and named in `others`.
+/// @param input the input file
+/// @param outputs files to be opened as OutputFile; a certificate written in parts uses PLACE and
+///        all names that begin with PLACE.part.
+/// @param others further files that are written but not opened here
+/// @throws WrongInput
+void check_outputs(const std::string& input, const std::vector<NamedFile>& outputs,
+                   const std::vector<NamedFile>& others = {});
+
+/// @param read files that the input file names @throws WrongInput if an output is one of them
+void check_read_files(const std::vector<std::string>& read, const std::vector<NamedFile>& outputs);
+
+/// Runs all `steps` in order, even after an error, and then rethrows the first error; messages of
+/// further errors go to standard error.
+/// @throws the first error
+void do_all(const std::vector<std::function<void()>>& steps);
 
 }  // namespace kusabi::run

@@ -1,4 +1,4 @@
-// Properties of the terminal, and line breaking.
+// Properties of the terminal, line breaking, and the text of a verdict.
 #include "run/output/terminal_page.hpp"
 
 #include <algorithm>
@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
+
+#include "answer/words.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -125,6 +127,19 @@ std::string folded(std::string_view text, std::size_t width) {
     at = end + 1;
   }
   return result;
+}
+
+std::string conclusion_text(const answer::Verdict& verdict, const Page& page) {
+  std::string text;
+  const auto sentence = answer::headline(verdict);
+  if (!sentence.empty()) {
+    text = '\n' + page.strong(sentence);
+    for (const auto& each : verdict.details) text += ' ' + each;
+    text += '\n';
+  }
+  for (const auto& each : answer::reservations(verdict)) text += page.warning(each.sentence) + '\n';
+  for (const auto& each : verdict.warnings) text += page.warning("Warning: " + each) + '\n';
+  return text;
 }
 
 }  // namespace kusabi::run

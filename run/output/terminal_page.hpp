@@ -1,10 +1,12 @@
-// Page: width and colours of the output. Files and pipes have unlimited width and no colours, since
+// Page: width and colours of the output, and the text of a verdict on it. Files and pipes have unlimited width and no colours, since
 // programs that read them expect one line per pattern.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <string_view>
+
+#include "answer/verdict.hpp"
 
 namespace kusabi::run {
 
@@ -27,5 +29,8 @@ Page page_of(int descriptor);
 /// Text folded to `width` where spaces allow it. Continuations are indented to the beginning of the
 /// last column (text after two or more spaces), or of the line.
 std::string folded(std::string_view text, std::size_t width);
+
+/// Last lines of a table; empty if there is neither an answer nor a warning.
+std::string conclusion_text(const answer::Verdict& verdict, const Page& page);
 
 }  // namespace kusabi::run

@@ -95,7 +95,7 @@ void read_lines(const std::vector<std::string>& parts,
 
 // The names of inactive candidates, which are known at the end only, before the state of a pattern.
 std::string inactive_member(const problems::WedgedProblem& problem,
-                           const support::IndexSet& inactive) {
+                            const support::IndexSet& inactive) {
   if (inactive.empty()) return {};
   return fmt::format("\"inactive\":{},", json_line(candidate_names(problem, inactive)));
 }

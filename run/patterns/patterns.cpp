@@ -1,6 +1,4 @@
 // `kusabi patterns`: stages and results, on all ranks.
-#include "run/patterns/patterns.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -21,7 +19,7 @@
 #include "nodes/wedged/sweep/pattern_brackets.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "run/command/command_run.hpp"
-#include "run/command/registrations.hpp"
+#include "run/command/subcommand.hpp"
 #include "run/evidence/certificate_file.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/standard_output.hpp"
@@ -33,11 +31,9 @@
 #include "run/pictures/vtu_series.hpp"
 #include "run/session/kept_state.hpp"
 #include "run/session/time_limit.hpp"
-#include "run/wedged/configuration_grid.hpp"
+#include "run/wedged/configuration_files.hpp"
 #include "run/wedged/contact_problem.hpp"
-#include "run/wedged/cuts_words.hpp"
 #include "run/wedged/problem_summary.hpp"
-#include "run/wedged/whole_state_json.hpp"
 #include "support/fingerprint.hpp"
 
 namespace kusabi::run {
@@ -232,7 +228,6 @@ void Patterns::describe_limits(OptionTable& table) {
       .stops(engine::Status::solution_limit)
       .varies();
   table.resume(options_.checkpoint);
-  table.former_names_of_resume();
 }
 
 void Patterns::check() const {

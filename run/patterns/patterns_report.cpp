@@ -14,8 +14,7 @@
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/patterns/pattern_lines.hpp"
-#include "run/wedged/configuration_csv.hpp"
-#include "run/wedged/exact_json.hpp"
+#include "run/wedged/configuration_files.hpp"
 #include "run/wedged/nearest_failure.hpp"
 #include "run/wedged/pattern_groups.hpp"
 #include "run/wedged/problem_summary.hpp"
@@ -137,12 +136,13 @@ std::string PatternsReport::largest_margin() const {
   }
   const auto name = number == 0 ? fmt::format("{} pattern", all ? "One" : "one")
                                 : fmt::format("{} {}", all ? "Pattern" : "pattern", number);
+  const auto margin = support::rounded_down(best.lower, 3);
   // Blocks have units of their own for gaps.
   const auto head =
-      one ? fmt::format("{}, with a margin of {:.3g}.", way, best.lower)
-          : fmt::format("{}{} has the largest margin{}, {:.3g}, with {}.",
+      one ? fmt::format("{}, with a margin of {}.", way, margin)
+          : fmt::format("{}{} has the largest margin{}, {}, with {}.",
                         all ? "" : "Of those known, ", name,
-                        findings_.blocks.size() > 1 ? " of its block" : "", best.lower, contact);
+                        findings_.blocks.size() > 1 ? " of its block" : "", margin, contact);
   const auto nearest = nearest_failure(problem_, options_.friction, best.block, best.pattern,
                                        best.reaction, best.displacement);
   return head + nearest_failure_text(problem_, nearest) + needed_friction(best, nearest.need);

@@ -13,7 +13,6 @@
 #include "run/output/name_ranges.hpp"
 #include "run/patterns/patterns_report.hpp"
 #include "run/wedged/pattern_groups.hpp"
-#include "run/wedged/pattern_start.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "support/rounded_bounds.hpp"
 

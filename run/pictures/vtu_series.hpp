@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pictures/vtu/unstructured_grid.hpp"
-#include "run/output/output_folder.hpp"
+#include "run/output/output_file.hpp"
 
 namespace kusabi::run {
 

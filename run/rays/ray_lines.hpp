@@ -1,6 +1,6 @@
-// RayLines: the list of `kusabi rays --format jsonl`, one line per ray. Each rank writes its rays
-// during the search to a part of its own; at the end rank 0 sorts the lines of all parts into the
-// file. The file does not depend on the number of ranks.
+// Rays in JSON, and RayLines: the list of `kusabi rays --format jsonl`, one line per ray. Each rank
+// writes its rays during the search to a part of its own; at the end rank 0 sorts the lines of all
+// parts into the file. The file does not depend on the number of ranks.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include <nlohmann/json.hpp>
+
 #include "nodes/wedged/rays/ray_search.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/evidence/part_files.hpp"
@@ -16,8 +18,15 @@
 #include "run/session/session.hpp"
 #include "solvers/rays/maximal_cones.hpp"
 #include "solvers/rays/reaction_cone.hpp"
+#include "solvers/rays/zero_set.hpp"
 
 namespace kusabi::run {
+
+/// State of a candidate at a ray.
+struct RayState {
+  char letter;       ///< in tables
+  const char* word;  ///< in JSON
+};
 
 class RayLines {
  public:
@@ -55,5 +64,13 @@ class RayLines {
   std::optional<PartFiles> parts_;
   std::optional<LineSorter> sorter_;  // on rank 0, unless the file of an earlier run has the list
 };
+
+RayState state_of(const rays::Supports& supports, int candidate);
+
+/// The keys `state` and `reaction`.
+nlohmann::ordered_json lean_ray(const rays::Supports& supports, const rays::Ray& ray);
+
+/// The cone of a ray from its key `state`.
+rays::Cone cone_from_states(const nlohmann::ordered_json& states);
 
 }  // namespace kusabi::run

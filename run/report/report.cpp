@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "run/command/command_run.hpp"
-#include "run/command/registrations.hpp"
+#include "run/command/subcommand.hpp"
 #include "run/report/page/page.hpp"
 #include "run/results/result_reader.hpp"
 

@@ -2,11 +2,14 @@
 #include "run/session/progress_line.hpp"
 
 #include <cstdio>
+#include <memory>
+#include <string>
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "engine/signals.hpp"
 #include "run/output/standard_output.hpp"
 
 namespace kusabi::run {
@@ -71,6 +74,20 @@ void ProgressLine::show_row() {
     print_message("{}\n", progress_header(state_.has_objective));
   }
   print_message("{}\n", progress_row(state_));
+}
+
+engine::AnalysisOptions analysis_options(const engine::Limits& limits, bool quiet) {
+  engine::install_signal_handlers();
+  engine::AnalysisOptions result;
+  result.limits = limits;
+  result.interrupt = engine::asked_by_signal;
+  if (quiet) return result;
+  result.watch = [](engine::Goal goal, const engine::ShownObjective& shown) {
+    const auto line = std::make_shared<ProgressLine>(goal, shown);
+    return [line](const engine::Progress& progress) { line->show(progress); };
+  };
+  result.say = [](const std::string& text) { print_message("{}\n", text); };
+  return result;
 }
 
 }  // namespace kusabi::run

@@ -1,10 +1,10 @@
 // Progress of a search on standard error: a bar on a terminal, otherwise one line per interval;
-// nothing for short searches.
+// nothing for short searches. With it come the limits and signals that end an analysis.
 #pragma once
 
+#include "engine/analysis/analysis.hpp"
 #include "engine/options.hpp"
 #include "run/session/progress_text.hpp"
-#include "run/session/remaining_time.hpp"
 
 namespace kusabi::run {
 
@@ -31,5 +31,8 @@ class ProgressLine {
   unsigned long rows_ = 0;
   bool bar_shown_ = false;
 };
+
+/// Catches signals from here on. @param quiet no progress is shown
+engine::AnalysisOptions analysis_options(const engine::Limits& limits, bool quiet);
 
 }  // namespace kusabi::run

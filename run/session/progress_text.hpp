@@ -1,5 +1,6 @@
-// Text of progress: rows of the log and the bar, as functions of their arguments; times and
-// destination are chosen by run/session/progress_line.hpp.
+// Text of progress: rows of the log and the bar, and the remaining time, by exponential smoothing
+// over unequal intervals with a correction of the initial bias. Times and destination are chosen by
+// run/session/progress_line.hpp.
 #pragma once
 
 #include <cstddef>
@@ -46,5 +47,29 @@ std::string progress_bar(const ProgressState& state, std::size_t width);
 /// Seconds between two rows, as a function of elapsed seconds: 2 s at first, 10 s after 20 s, 1 min
 /// after 2 min, 10 min after 2 h. Twelve hours give less than two hundred lines.
 double row_interval(double seconds);
+
+/// Shares of a tree predict work poorly: a large branch may be pruned at once, a tiny one may last
+/// for hours. The rate is therefore exponentially smoothed over a quarter of the elapsed time (10 s
+/// at least).
+class RemainingTime {
+ public:
+  /// Records the closed share, 0 to 1, at a time since the start. The first call sets the origin:
+  /// shares closed before a restart do not count towards the rate of this run.
+  void observe(double seconds, double closed);
+
+  /// Remaining seconds; nothing without enough data: one second, half a percent of the tree, and
+  /// ten increases of the closed share.
+  [[nodiscard]] std::optional<double> seconds() const;
+
+ private:
+  bool begun_ = false;
+  double first_seconds_ = 0;
+  double first_closed_ = 0;
+  double last_seconds_ = 0;
+  double last_closed_ = 0;
+  double rate_ = 0;    // weighted sum of rates
+  double weight_ = 0;  // sum of weights; tends to 1
+  int advances_ = 0;
+};
 
 }  // namespace kusabi::run

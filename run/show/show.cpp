@@ -5,15 +5,44 @@
 #include <fmt/format.h>
 
 #include "pictures/vtu/structure_grid.hpp"
+#include "problems/structure/model/structure.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/problem_input.hpp"
-#include "run/command/registrations.hpp"
+#include "run/command/subcommand.hpp"
+#include "run/output/values.hpp"
+#include "run/pictures/structure_json.hpp"
 #include "run/report/problem_page.hpp"
+#include "run/results/result_reader.hpp"
 #include "run/show/structure_summary.hpp"
-#include "run/show/unsolved_result.hpp"
 
 namespace kusabi::run {
 namespace {
+
+// @param file its name in the call
+ResultReader unsolved_result(const problems::Structure& structure, const std::string& file) {
+  auto contact = ResultJson::array();
+  const std::vector<double> none(static_cast<std::size_t>(structure.dimension));
+  for (std::size_t i = 0; i < structure.contact.size(); ++i) {
+    const auto& each = structure.contact[i];
+    ResultJson json{{"node", problems::candidate_name(structure, i)},
+                    {"n", numbers(each.normal)},
+                    {"t1", none},
+                    {"friction", each.friction}};
+    if (structure.dimension == 3) json["t2"] = none;
+    contact.push_back(std::move(json));
+  }
+  ResultJson problem{
+      {"file", file},
+      {"name", structure.name},
+      {"d", structure.dimension},
+      {"units", {{"length", structure.units.length}, {"force", structure.units.force}}}};
+  if (!contact.empty()) problem["contact"] = std::move(contact);
+  problem["structure"] = structure_json(structure);
+  return {
+      ResultJson{
+          {"command", "show"}, {"problem", std::move(problem)}, {"result", ResultJson::object()}},
+      file};
+}
 
 class Show final : public Subcommand {
  public:

@@ -15,8 +15,6 @@
 #include "run/output/values.hpp"
 #include "run/sweep/swept.hpp"
 #include "run/wedged/contact_problem.hpp"
-#include "run/wedged/exact_json.hpp"
-#include "run/wedged/pattern_start.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "support/rounded_bounds.hpp"
 

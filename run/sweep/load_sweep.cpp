@@ -20,8 +20,8 @@
 #include "run/output/wrong_input.hpp"
 #include "run/pictures/guaranteed_interval_report.hpp"
 #include "run/pictures/structure_json.hpp"
-#include "run/session/analysis_options.hpp"
 #include "run/session/kept_state.hpp"
+#include "run/session/progress_line.hpp"
 #include "run/sweep/swept.hpp"
 #include "support/rounded_bounds.hpp"
 

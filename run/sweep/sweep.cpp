@@ -9,7 +9,7 @@
 
 #include "answer/words.hpp"
 #include "nodes/wedged/critical/critical_findings.hpp"
-#include "run/command/registrations.hpp"
+#include "run/command/subcommand.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/results/result_reader.hpp"
 #include "run/results/sweep_result.hpp"

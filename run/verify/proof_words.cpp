@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "answer/values.hpp"
+#include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/values.hpp"
@@ -111,6 +112,16 @@ std::string large_displacements_text(std::uint64_t nodes) {
   if (nodes == 0) return {};
   return fmt::format(", {} of them only for displacements up to {:.2g} times the strains", nodes,
                      verify::largest_displacement_ratio);
+}
+
+std::optional<std::uint64_t> limit_fingerprint(const problems::CheckedStructure& structure,
+                                               std::optional<support::InputError>& fault) {
+  try {
+    return problems::limit_problem(structure).fingerprint;
+  } catch (const support::InputError& error) {
+    fault = error;
+    return {};
+  }
 }
 
 }  // namespace kusabi::run

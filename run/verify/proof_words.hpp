@@ -12,6 +12,7 @@
 #include "problems/structure/checks/checked_structure.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/verify/verify.hpp"
+#include "support/input_error.hpp"
 #include "verify/wedged/certificate.hpp"
 
 namespace kusabi::run {
@@ -77,5 +78,15 @@ std::string verified_friction(const problems::CheckedStructure& structure, doubl
 
 /// ", 3 of them only for displacements up to 1e+06 times the strains"; empty for none.
 std::string large_displacements_text(std::uint64_t nodes);
+
+/// Refusal of a claim for residual strength.
+inline constexpr const char* no_struts =
+    "the claim is for residual strength, but no member of the problem file has `residual`; "
+    "expected the file that was analysed";
+
+/// The fingerprint of a problem; nothing, and the reason in `fault`, if limit analysis does not
+/// apply to it, as to a load case without a reference load.
+std::optional<std::uint64_t> limit_fingerprint(const problems::CheckedStructure& structure,
+                                               std::optional<support::InputError>& fault);
 
 }  // namespace kusabi::run

@@ -1,9 +1,12 @@
-// `kusabi verify CERTIFICATE`: proof of a list of patterns or a limit load from a certificate, in
-// exact arithmetic.
+// `kusabi verify CERTIFICATE`: proof of a list of patterns, of held loads, of a limit load or of a
+// loss of members from a certificate, in exact arithmetic.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "problems/structure/checks/checked_structure.hpp"
+#include "run/command/command_run.hpp"
 #include "run/command/subcommand.hpp"
 
 namespace kusabi::run {
@@ -21,5 +24,35 @@ struct VerifyFindings {
   std::string refusals = {};                       ///< one line each
   std::string summary = {};                        ///< claims that are proved, and the method
 };
+
+/// @param structure to prove it for; nothing: the stiffness of the certificate
+/// @param text of the certificate
+/// @throws WrongInput on every rank if it is not a certificate
+VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
+                               const std::optional<problems::CheckedStructure>& structure,
+                               const std::string& text);
+
+/// Proves both bounds on all ranks, in pieces of one node.
+/// @param structure of the problem file to prove it for, if any
+/// @param text of the file, the same on all ranks
+/// @throws WrongInput on every rank; support::InputError if limit analysis does not apply to the
+/// structure
+VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
+                            const std::optional<problems::CheckedStructure>& structure,
+                            const std::string& text);
+
+/// @param structure of the problem file to prove the claims for, if any
+/// @throws WrongInput for a wrong certificate, on every rank; support::InputError if limit analysis
+///         does not apply to the structure
+VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
+                           const std::optional<problems::CheckedStructure>& structure,
+                           const std::string& text);
+
+/// Proves all claims, shared among the ranks.
+/// @param text of the certificate
+/// @throws WrongInput if it is malformed, or there is no problem file
+VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
+                           const std::optional<problems::CheckedStructure>& structure,
+                           const std::string& text);
 
 }  // namespace kusabi::run

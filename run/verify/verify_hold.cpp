@@ -1,9 +1,6 @@
 // Proofs of verify/wedged/hold_proof, shared among the ranks, and what follows from them.
-#include "run/verify/verify_hold.hpp"
-
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <tuple>
 #include <variant>
 #include <vector>
@@ -20,6 +17,7 @@
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/verify/proof_words.hpp"
+#include "run/verify/verify.hpp"
 #include "verify/wedged/consistency.hpp"
 #include "verify/wedged/hold_certificate.hpp"
 #include "verify/wedged/hold_proof.hpp"

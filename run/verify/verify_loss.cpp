@@ -1,6 +1,4 @@
 // Each state of a statement is a piece of work that the ranks share.
-#include "run/verify/verify_loss.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -18,8 +16,8 @@
 #include "nodes/evidence/verified_structure.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/load_cases.hpp"
-#include "run/verify/limit_statements.hpp"
 #include "run/verify/proof_words.hpp"
+#include "run/verify/verify.hpp"
 #include "support/input_error.hpp"
 #include "verify/limit/limit_certificate.hpp"
 #include "verify/limit/loss_certificate.hpp"

@@ -1,9 +1,10 @@
 // Proofs of verify/wedged, shared among the ranks, and sentences about them.
-#include "run/verify/verify_patterns.hpp"
-
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <string>
+#include <tuple>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -13,11 +14,14 @@
 #include "answer/values.hpp"
 #include "answer/words.hpp"
 #include "engine/analysis/analysis.hpp"
+#include "engine/counts.hpp"
+#include "engine/expansion.hpp"
+#include "engine/index_range.hpp"
 #include "nodes/evidence/verified_structure.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/session/progress_line.hpp"
 #include "run/verify/proof_words.hpp"
-#include "run/verify/verification.hpp"
+#include "run/verify/verify.hpp"
 #include "verify/wedged/certificate.hpp"
 #include "verify/wedged/consistency.hpp"
 #include "verify/wedged/cover.hpp"
@@ -25,6 +29,86 @@
 
 namespace kusabi::run {
 namespace {
+
+/// Problem type of engine::search.
+class Verification {
+ public:
+  using Node = engine::IndexRange;  ///< of records
+
+  /// A record whose claim is refused.
+  struct Solution {
+    std::uint64_t record = 0;
+    std::string reason;
+
+    template <class Archive>
+    void serialize(Archive& archive, unsigned /*version*/) {
+      archive& record& reason;
+    }
+  };
+
+  /// Numbers of nodes by proved claim.
+  struct Tally : engine::Counts<Tally> {
+    std::uint64_t infeasible = 0;  ///< with cuts or without
+    std::uint64_t feasible = 0;
+    std::uint64_t marginal = 0;  ///< without a claim
+    /// Infeasible nodes, proved only for displacements up to `displacement_ratio` times the
+    /// strains.
+    std::uint64_t except_large_displacements = 0;
+    /// Undecided nodes with a proof that some candidate in contact stays unloaded.
+    std::uint64_t unloaded = 0;
+
+    [[nodiscard]] std::uint64_t open() const { return marginal - unloaded; }
+
+    static constexpr auto fields() {
+      return std::tuple{field("dead", &Tally::infeasible), field("alive", &Tally::feasible),
+                        field("marginal", &Tally::marginal),
+                        field(large_displacements_column, &Tally::except_large_displacements),
+                        field("unloaded", &Tally::unloaded)};
+    }
+  };
+
+  /// Both must outlive this.
+  Verification(const verify::Certificate& certificate, const verify::Proof& proof)
+      : certificate_(certificate), proof_(proof) {}
+
+  Node root() const { return {0, certificate_.records.size()}; }
+  void expand(Node&& node, engine::Expansion<Verification>& out);
+  Tally tally() const { return tally_; }
+
+ private:
+  const verify::Certificate& certificate_;
+  const verify::Proof& proof_;
+  Tally tally_;
+};
+
+void Verification::expand(Node&& node, engine::Expansion<Verification>& out) {
+  constexpr std::uint64_t few = 16;
+  if (engine::branch_into_halves(node, few, out)) return;
+  for (auto number = node.first; number < node.last; ++number) {
+    const auto& record = certificate_.records[number];
+    auto proof_result = proof_.proof_result(record);
+    if (proof_result.refusal) {
+      out.solution({number, std::move(*proof_result.refusal)});
+      continue;
+    }
+    if (proof_result.except_large_displacements) ++tally_.except_large_displacements;
+    if (proof_result.unloaded) ++tally_.unloaded;
+    switch (record.claim) {
+      case verify::Claim::infeasible:
+      case verify::Claim::cut:
+      case verify::Claim::form:
+        ++tally_.infeasible;
+        break;
+      case verify::Claim::feasible:
+        ++tally_.feasible;
+        break;
+      case verify::Claim::none:
+        ++tally_.marginal;
+        break;
+    }
+    out.poll();
+  }
+}
 
 std::string all_patterns(int candidates) {
   constexpr int easily_read = 20;

@@ -176,4 +176,18 @@ ordered_json block_rows(const problems::WedgedProblem& problem, std::uint32_t bl
   return candidate_rows(of_all_candidates(problem, block, values), problem.dimension);
 }
 
+nlohmann::ordered_json exact_json(const wedged::ExactTest& test) {
+  return {{"scale_ratio", test.scale_ratio},
+          {"done", test.done},
+          {"refused", test.refused},
+          {"refused_needed", test.closed_unproved},
+          {"unproved", test.unproved}};
+}
+
+std::optional<answer::ExactRemainder> remainder_of(const wedged::ExactTest& test) {
+  if (!test.is_open()) return std::nullopt;
+  return answer::ExactRemainder{test.scale_ratio, test.unable,
+                                test.closed_unproved + test.unproved};
+}
+
 }  // namespace kusabi::run

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "answer/verdict.hpp"
+#include "nodes/wedged/pattern_search.hpp"
 #include "nodes/wedged/relaxation/sign_pattern.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 
@@ -58,5 +61,14 @@ std::vector<double> of_all_candidates(const problems::WedgedProblem& problem, st
 /// The same as JSON rows.
 nlohmann::ordered_json block_rows(const problems::WedgedProblem& problem, std::uint32_t block,
                                   std::span<const double> values);
+
+inline constexpr const char* begins_explained =
+    "       (a pattern exists at a friction coefficient if some configuration loads exactly its\n"
+    "        candidates in contact and separates exactly its separated ones)\n";
+
+nlohmann::ordered_json exact_json(const wedged::ExactTest& test);
+
+/// Nothing if the test was not called or has decided everything.
+std::optional<answer::ExactRemainder> remainder_of(const wedged::ExactTest& test);
 
 }  // namespace kusabi::run

@@ -13,7 +13,7 @@
 #include "all_verdicts.hpp"
 #include "answer/ending.hpp"
 #include "answer/verdict_json.hpp"
-#include "run/output/conclusion_text.hpp"
+#include "run/output/terminal_page.hpp"
 
 namespace kusabi::answer {
 namespace {

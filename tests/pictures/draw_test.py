@@ -61,7 +61,7 @@ def group(root, kind):
 class Draw(KusabiCase):
     def draw(self, *words):
         place = self.folder / "out.svg"
-        run = self.kusabi("draw", self.result, "--svg", place, *words)
+        run = self.kusabi("draw", self.result, "--output", place, *words)
         self.assertEqual(run.returncode, 0, run.stderr)
         return xml.etree.ElementTree.parse(place).getroot()
 

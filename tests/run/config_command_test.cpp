@@ -92,7 +92,7 @@ TEST_F(Config, ReportsFileLineAndKeyOfAFault) {
       {"[patterns]\nsort = \"name\"\n", ":2:8: sort: 'name', expected one of number, margin"},
       {"[patterns]\nquiet = 1\n", ":2:9: quiet: expected true or false"},
       {"[patterns]\noutput = \"a\"\n", ":2:1: output names a file of one run"},
-      {"[patterns]\nrestart = \"a\"\n", ":2:1: restart names a file of one run"},
+      {"[patterns]\nresume = \"a\"\n", ":2:1: resume names a file of one run"},
       {"[patterns]\nserial = true\n", ":2:1: serial applies before this file is read"},
       {"[patterns]\nfile = \"a\"\n", ":2:1: unknown option \"file\""},
       {"[patterns]\nmu = 1\nmu = 2\n", ":3:6: "},

@@ -48,7 +48,7 @@ TEST_F(CriticalCommand, ProvesBothBounds) {
               HasSubstr("PROVED: the list of 1 pattern is"));
   // A list that does not end leaves the pattern of the upper bound.
   const auto begun = shell(command + " critical " + truss +
-                           " --list --list-limit 3 --certificate " + argument("begun"));
+                           " --list --list-nodes 3 --certificate " + argument("begun"));
   EXPECT_THAT(begun.output, HasSubstr("were not determined"));
   EXPECT_THAT(shell(command + " verify " + argument("begun.upper")).output,
               HasSubstr("PROVED: it can stick, by 1 pattern; other patterns are not decided\n"));

@@ -302,7 +302,7 @@ forces = [{{ nodes = ["ladder.8,0"], force = [0, -1] }}]
         report = self.folder / "a.html"
         self.assertEqual(self.kusabi("report", self.result, "--output", report).returncode, 0)
         self.assertIn('id="loads"', report.read_text())
-        self.assertEqual(self.kusabi("draw", self.result, "--svg", self.folder / "b.svg").returncode, 0)
+        self.assertEqual(self.kusabi("draw", self.result, "--output", self.folder / "b.svg").returncode, 0)
         points = result["result"]["points"]
         self.assertEqual([each["friction"] for each in points], mus)
         for mu, point in zip(mus, points):

@@ -53,7 +53,7 @@ TEST_F(CommandOutput, HasTheWholeStateOfAllPatternsOnRequest) {
       EXPECT_EQ(few[i]["reaction"], all[i]["reaction"]);
     }
   }
-  EXPECT_EQ(shell(command + " draw " + argument("all.json") + " --pattern 250 --svg " +
+  EXPECT_EQ(shell(command + " draw " + argument("all.json") + " --pattern 250 --output " +
                   argument("one.svg"))
                 .exit_code,
             0);

@@ -233,7 +233,7 @@ TEST_F(RaysCommand, StopsTheTreeAtALimitWithAPartialAnswer) {
   EXPECT_THAT(run.output, HasSubstr("\n0 extremal rays are known at friction coefficient 1, by"));
   const auto json = nlohmann::json::parse(content(file));
   EXPECT_EQ(json["status"], "node-limit");
-  EXPECT_EQ(json["options"]["method"], "tree");
+  EXPECT_EQ(json["statistics"]["method"], "tree");
   EXPECT_TRUE(json["result"]["cones"].empty());
   const auto refused = shell(call + " --method double-description");
   EXPECT_EQ(refused.exit_code, 2);

@@ -211,18 +211,6 @@ class State(Resumed):
         self.state.mkdir()
         self.assertIn("cannot be opened", self.refused_state(self.CALL))
 
-    def test_is_given_by_former_options_with_a_warning(self):
-        """Former names of --resume: accepted with a warning, but not for another file."""
-        expected = self.unbroken(self.CALL)
-        for name in ("--checkpoint", "--restart"):
-            run = self.run_it(self.CALL, name, self.state)
-            self.assertEqual((run.returncode, self.answer()), expected, run.stderr)
-            self.assertEqual(run.stderr.count(f"kusabi: warning: {name} is a former name of --resume"), 1, run.stderr)
-        self.assertIn("finished before", run.stderr)
-        line = self.refused(*self.CALL, "--resume", self.state, "--checkpoint", self.folder / "other")
-        self.assertIn("expected --resume alone", line)
-        self.assertNotIn("--restart", self.kusabi("patterns", "--help").stdout)
-
     def check_damage(self, call, file, times, seed):
         """Each damage of a file is refused in one line, or the result is correct."""
         expected = self.unbroken(call)

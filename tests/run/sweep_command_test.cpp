@@ -100,7 +100,7 @@ TEST_F(SweepCommand, VariesTheLoadsWithoutAHalfWidthInTheFile) {
   }
   EXPECT_TRUE(result["curve"].empty());
   const auto drawn =
-      shell(command + " draw " + argument("out.json") + " --svg " + argument("o.svg"));
+      shell(command + " draw " + argument("out.json") + " --output " + argument("o.svg"));
   EXPECT_EQ(drawn.exit_code, 0) << drawn.output;
 
   auto displaced = content(in_folder("open.toml"));

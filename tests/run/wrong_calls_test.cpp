@@ -101,8 +101,6 @@ TEST_F(Command, RefusesInvalidCallsInOneLine) {
       {good + " --resume /nowhere/at/all", "--resume /nowhere/at/all: cannot be opened"},
       {good + " --resume " + truss,
        "--resume " + truss_file + ": would overwrite the problem file"},
-      {good + " --checkpoint a --resume b",
-       "--checkpoint is a former name of --resume, which is given as b, too; expected --resume"},
       {"critical " + truss + " --method newton", "--mu-max is missing; expected"},
       {"critical " + truss + " --mu-max 0", "--mu-max: '0', " + above_0},
       {"critical " + truss + " --width 0", "--width: '0', " + above_0},

@@ -70,10 +70,12 @@ class CriticalTree {
     std::uint64_t programs = 0;  ///< cone programs solved
 
     static constexpr auto fields() {
-      return std::tuple{
-          field("branched", &Tally::branched),    field("infeasible", &Tally::infeasible),
-          field("leaves", &Tally::leaves),        field("undecided", &Tally::undecided),
-          field("undecided_from", &Tally::undecided_from), field("programs", &Tally::programs)};
+      return std::tuple{field("branched", &Tally::branched),
+                        field("infeasible", &Tally::infeasible),
+                        field("leaves", &Tally::leaves),
+                        field("undecided", &Tally::undecided),
+                        field("undecided_from", &Tally::undecided_from),
+                        field("programs", &Tally::programs)};
     }
   };
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace {
 
@@ -89,26 +90,6 @@ TEST(OptionTable, ReadsADurationInSecondsOrWithItsUnits) {
   EXPECT_EQ(wait, 0);
 }
 
-TEST(OptionTable, TakesAFormerNameForTheCurrentOne) {
-  std::uint64_t nodes = 0;
-  const auto given = [&](const std::string& name, FormerName kind, const std::string& text) {
-    OptionTable table;
-    table.number("--list-nodes", &nodes, above(0), "");
-    table.former_name("--list-limit", "--list-nodes", kind);
-    EXPECT_EQ(taken(table, "--list-limit", "none"), "'none', expected a whole number above 0");
-    EXPECT_EQ(taken(table, name, text), "");
-    EXPECT_EQ(table.replace_former_names(), "");
-    EXPECT_EQ(table.find("--list-nodes")->given, text);
-    EXPECT_FALSE(table.find("--list-limit")->given);
-    return table.warnings();
-  };
-  EXPECT_EQ(given("--list-nodes", FormerName::warned, "3").size(), 0U);
-  EXPECT_EQ(given("--list-limit", FormerName::silent, "4").size(), 0U);
-  EXPECT_EQ(nodes, 4U);
-  EXPECT_EQ(given("--list-limit", FormerName::warned, "5").size(), 1U);
-  EXPECT_EQ(nodes, 5U);
-}
-
 TEST(OptionTable, ReadsAChoiceByItsName) {
   enum class Way { here, there };
   Way way = Way::there;
@@ -142,6 +123,35 @@ TEST(OptionTable, RepeatsTheCallFromTheGivenOptions) {
     return row.stops == kusabi::engine::Status::node_limit;
   };
   EXPECT_EQ(table.call(at_nodes), R"( 'it'\''s a truss.toml' --mu 0.50 --no-tighten)");
+}
+
+TEST(OptionTable, ReadsPointsOfARangeAsDecimals) {
+  std::vector<double> points;
+  OptionTable table;
+  table.points("--mu", points, above(0), "");
+  EXPECT_EQ(taken(table, "--mu", "0.1:0.4:0.1"), "");
+  EXPECT_EQ(points, (std::vector<double>{0.1, 0.2, 0.3, 0.4}));
+  EXPECT_EQ(taken(table, "--mu", "0.5,2"), "");
+  EXPECT_EQ(points, (std::vector<double>{0.5, 2}));
+  EXPECT_EQ(taken(table, "--mu", "0,2"), "'0,2', expected numbers above 0");
+  EXPECT_EQ(taken(table, "--mu", "2,2"), "'2,2', expected numbers that increase");
+  EXPECT_EQ(taken(table, "--mu", "1:2:1e-9"), "'1:2:1e-9', expected no more than 10000 points");
+  for (const std::string wrong : {"2:1:1", "1:2:0", "1:2"}) {
+    EXPECT_EQ(taken(table, "--mu", wrong),
+              "'" + wrong + "', expected START:END:STEP with START not above END and STEP above 0");
+  }
+  EXPECT_EQ(points, (std::vector<double>{0.5, 2}));
+}
+
+TEST(OptionTable, ReadsHalfWidthsOfNamesWithSeparators) {
+  std::vector<std::pair<std::string, double>> groups;
+  OptionTable table;
+  table.group_alpha(groups);
+  EXPECT_EQ(taken(table, "--group-alpha", "wind=20, a=b,c=3"), "");
+  EXPECT_EQ(groups, (std::vector<std::pair<std::string, double>>{{"wind", 20}, {"a=b,c", 3}}));
+  for (const std::string wrong : {"wind", "wind=x", "wind=-1", "wind=2,snow"})
+    EXPECT_TRUE(
+        taken(table, "--group-alpha", wrong).starts_with("'" + wrong + "', expected NAME="));
 }
 
 TEST(OptionTable, HasTheOptionsOfTheAnswerWithTheirTypes) {

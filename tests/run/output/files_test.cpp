@@ -18,9 +18,7 @@
 #include <unistd.h>
 
 #include "run/output/json_writer.hpp"
-#include "run/output/last_steps.hpp"
 #include "run/output/output_file.hpp"
-#include "run/output/outputs.hpp"
 #include "run/session/launch.hpp"
 #include "run/session/session.hpp"
 #include "tests/run/folder.hpp"

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "run/session/progress_text.hpp"
-#include "run/session/remaining_time.hpp"
 
 namespace kusabi::run {
 namespace {

@@ -1,16 +1,130 @@
-// VTK fields of a configuration.
-#include "run/wedged/configuration_grid.hpp"
+// States of the whole structure, rows of CSV, and grids.
+#include "run/wedged/configuration_files.hpp"
 
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "answer/values.hpp"
 #include "problems/structure/assembly/element_stress.hpp"
 #include "run/output/values.hpp"
+#include "run/pictures/structure_json.hpp"
 #include "run/wedged/problem_summary.hpp"
 
 namespace kusabi::run {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+// Inserted without a search for the name: names of nodes are unique, and a search would dominate
+// the run time.
+void append(ordered_json& object, const std::string& name, const std::vector<double>& values) {
+  ordered_json::object_t::Container& members = object.get_ref<ordered_json::object_t&>();
+  members.emplace_back(name, values);
+}
+
+// Six components per element.
+ordered_json stresses_json(const problems::Stresses& stresses,
+                           const std::vector<std::size_t>& places) {
+  auto list = ordered_json::array();
+  for (const auto place : places)
+    list.push_back(numbers(stresses.col(static_cast<Eigen::Index>(place))));
+  return list;
+}
+
+// Stress measures of the elements and, where a yield force is known, utilisation of the members.
+void add_internal_forces(ordered_json& configuration, const problems::Structure& structure,
+                         const problems::WholeState& state) {
+  if (state.axial_forces.size() > 0) configuration["axial_forces"] = numbers(state.axial_forces);
+  if (problems::has_yield_forces(structure)) {
+    auto used = ordered_json::array();
+    for (const double each : problems::utilisations(structure, state.axial_forces))
+      used.push_back(answer::number_or_null(each));
+    configuration["utilisation"] = std::move(used);
+  }
+  if (structure.elements.empty()) return;
+  const auto stresses = problems::element_stresses(structure, state.displacements);
+  const auto equivalent = problems::von_mises(stresses);
+  const auto places = listed_elements(structure);
+  configuration["stresses"] = stresses_json(stresses, places);
+  auto list = ordered_json::array();
+  for (const auto place : places) list.push_back(equivalent(static_cast<Eigen::Index>(place)));
+  configuration["von_mises"] = std::move(list);
+}
+
+}  // namespace
+
+void WholeStateJson::add_to(ordered_json& configuration, std::span<const double> reactions,
+                            std::span<const double> displacements) const {
+  const auto& names = states_.structure().node_names;
+  const auto state = states_.whole().under(reactions, displacements);
+  auto everywhere = ordered_json::array();
+  auto supports = ordered_json::object();
+  for (std::size_t node = 0; node < names.size(); ++node) {
+    const auto column = static_cast<Eigen::Index>(node);
+    everywhere.push_back(numbers(state.displacements.col(column)));
+    if (states_.whole().is_supported(static_cast<int>(node))) {
+      append(supports, names[node], numbers(state.reactions.col(column)));
+    }
+  }
+  configuration["all_displacements"] = std::move(everywhere);
+  configuration["support_reactions"] = std::move(supports);
+  add_internal_forces(configuration, states_.structure(), state);
+  configuration["imbalance"] = state.imbalance;
+}
+
+namespace {
+
+const char* component_name(int dimension, int axis) {
+  if (axis == 0) return "n";
+  if (dimension == 2) return "t";
+  return axis == 1 ? "t1" : "t2";
+}
+
+}  // namespace
+
+void add_pattern_columns(CsvWriter& csv) {
+  csv.word("block").word("contact").word("separated").word("inactive");
+}
+
+void add_pattern(CsvWriter& csv, const problems::WedgedProblem& problem, std::uint32_t block,
+                 const wedged::SignPattern& pattern, const support::IndexSet& inactive) {
+  csv.count(std::uint64_t{block} + 1);
+  csv.names(candidate_names(problem, pattern.contact));
+  csv.names(candidate_names(problem, pattern.separated));
+  csv.names(candidate_names(problem, pattern.inactive | inactive));
+}
+
+void add_configuration_columns(CsvWriter& csv, const problems::WedgedProblem& problem) {
+  for (const char* const what : {"r", "u"}) {
+    for (int axis = 0; axis < problem.dimension; ++axis) {
+      for (const auto& name : problem.contact_names)
+        csv.text(fmt::format("{}_{} {}", what, component_name(problem.dimension, axis), name));
+    }
+  }
+}
+
+void add_configuration(CsvWriter& csv, const problems::WedgedProblem& problem,
+                       std::span<const double> reactions, std::span<const double> displacements) {
+  const auto d = static_cast<std::size_t>(problem.dimension);
+  const std::size_t size = d * problem.contact_names.size();
+  for (const auto& vector : {reactions, displacements}) {
+    for (std::size_t axis = 0; axis < d; ++axis) {
+      for (std::size_t at = axis; at < size; at += d) {
+        if (vector.empty()) {
+          csv.nothing();
+        } else {
+          csv.number(vector[at]);
+        }
+      }
+    }
+  }
+}
 
 using pictures::ContactState;
 
