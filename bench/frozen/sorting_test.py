@@ -110,7 +110,7 @@ class Sorting(unittest.TestCase):
             self.check("p.vtu", vtu([1, 2, 3], packed), vtu([1, 2], packed), STRUCTURE)
 
     def test_certificates_and_problem_files(self):
-        text = "kusabi certificate 4\nname b13\nnode 0x1.8p+0 0x1p-3\n"
+        text = "kusabi certificate 5 contact\nname b13\nnode 0x1.8p+0 0x1p-3\n"
         self.check("certificate", text, text.replace("p-3", "p-4"), NUMBERS)
         self.check("certificate", text, text.replace("b13", "b14"), WORDS)
         self.check("certificate", text, text.replace(" 0x1p-3", ""), STRUCTURE)

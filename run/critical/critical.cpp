@@ -64,8 +64,8 @@ class BoundCertificate final : public wedged::BoundRecord {
     if (!session_.is_first()) return;
     if (holds) {
       const bool one = claim == wedged::BoundClaim::one_pattern;
-      file_.put_in_place(certificate_header(problem_, friction_, bounds) +
-                         (one ? one_pattern_line : ""));
+      file_.put_in_place(certificate_header(
+          problem_, friction_, one ? std::vector<std::string>() : list_theorems(problem_), bounds));
       if (!quiet_) print_written({name_});
     }
   }

@@ -17,9 +17,13 @@ namespace kusabi::run {
 
 std::string one_line(const std::string& name) {
   std::string text;
+  unsigned char before = 0;
   for (const char c : name) {
-    const bool control = static_cast<unsigned char>(c) < ' ' || c == '\x7f';
-    text += control ? fmt::format("\\x{:02x}", static_cast<unsigned char>(c)) : std::string(1, c);
+    const auto byte = static_cast<unsigned char>(c);
+    const bool of_two = before == 0xc2 && byte >= 0x80 && byte < 0xa0;  // U+0080 to U+009F
+    const bool control = byte < ' ' || byte == 0x7f || of_two;
+    text += control ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+    before = byte;
   }
   return text;
 }
@@ -44,25 +48,20 @@ const char* kind_name(wedged::Evidence::Kind kind) {
   using Kind = wedged::Evidence::Kind;
   switch (kind) {
     case Kind::infeasible:
-      return "dead";
+      return "infeasible";
     case Kind::cut:
       return "cut";
     case Kind::form:
       return "form";
     case Kind::feasible:
-      return "alive";
+      return "wedged";
     case Kind::no_claim:
       break;
   }
   return "marginal";
 }
 
-}  // namespace
-
-void append_numbers(std::string& text, std::span<const double> numbers) {
-  append(text, numbers);
-}
-
+// Names and friction of all candidates, and the blocks.
 std::string candidate_lines(const problems::WedgedProblem& problem,
                             std::span<const double> friction) {
   auto text =
@@ -76,6 +75,7 @@ std::string candidate_lines(const problems::WedgedProblem& problem,
   return text;
 }
 
+// The rigid-body modes.
 std::string motion_lines(const problems::WedgedProblem& problem) {
   const auto& motions = problem.modes.matrix;
   auto text = fmt::format("motions {}\n", motions.cols());
@@ -87,11 +87,8 @@ std::string motion_lines(const problems::WedgedProblem& problem) {
   return text;
 }
 
-std::string certificate_header(const problems::WedgedProblem& problem,
-                               std::span<const double> friction,
-                               std::span<const wedged::ProvedBound> bounds) {
-  auto text = "kusabi certificate 4\n" + candidate_lines(problem, friction);
-  text += "stiffness\n";
+std::string stiffness_lines(const problems::WedgedProblem& problem) {
+  std::string text = "stiffness\n";
   const auto stiffness = problems::free_stiffness(problem);
   for (Eigen::Index i = 0; i < stiffness.rows(); ++i) {
     for (Eigen::Index j = 0; j <= i; ++j) {
@@ -99,10 +96,34 @@ std::string certificate_header(const problems::WedgedProblem& problem,
     }
     text += '\n';
   }
-  text += motion_lines(problem);
+  return text;
+}
+
+}  // namespace
+
+void append_numbers(std::string& text, std::span<const double> numbers) {
+  append(text, numbers);
+}
+
+std::vector<std::string> list_theorems(const problems::WedgedProblem& problem) {
+  std::vector<std::string> lines;
+  for (std::size_t block = 1; block <= problems::blocks_of(problem).size(); ++block)
+    lines.push_back(fmt::format("none {} 0\n", block));
+  return lines;
+}
+
+std::string certificate_header(const problems::WedgedProblem& problem,
+                               std::span<const double> friction,
+                               const std::vector<std::string>& theorems,
+                               std::span<const wedged::ProvedBound> bounds,
+                               const std::string& load_lines) {
+  auto text = "kusabi certificate 5 contact\n" + candidate_lines(problem, friction) +
+              stiffness_lines(problem) + motion_lines(problem) + load_lines +
+              fmt::format("theorems {}\n", theorems.size());
+  for (const auto& theorem : theorems) text += theorem;
   text += fmt::format("bounds {}\n", bounds.size());
   for (const auto& bound : bounds) append_bound(text, bound);
-  return text + "nodes\n";
+  return text + "evidence\n";
 }
 
 std::string certificate_line(const wedged::Evidence& evidence) {

@@ -1,5 +1,5 @@
-// CertificateFile: the certificate of `kusabi patterns --certificate` (docs/certificates.md),
-// written during the search in parts (part_files.hpp).
+// CertificateFile: a certificate about a contact problem (docs/certificates.md), written during the
+// search in parts (part_files.hpp).
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "nodes/wedged/relaxation/candidate_bounds.hpp"
 #include "nodes/wedged/tree/evidence.hpp"
@@ -17,14 +18,19 @@
 
 namespace kusabi::run {
 
-/// Separates the header from the nodes in a certificate that shows one feasible pattern and says
-/// nothing about others.
-inline constexpr const char* one_pattern_line = "one pattern\n";
+/// Section of a certificate about wedged configurations alone.
+inline constexpr const char* no_load_lines = "loads 0\n";
 
-/// Header of a certificate. @param bounds used by its nodes
+/// Lines of the theorems that a list of patterns is complete, one for each block.
+std::vector<std::string> list_theorems(const problems::WedgedProblem& problem);
+
+/// Header of a certificate, up to the line 'evidence'. @param theorems one line each
+/// @param bounds used by its nodes @param load_lines from the line 'loads N' to the total
 std::string certificate_header(const problems::WedgedProblem& problem,
                                std::span<const double> friction,
-                               std::span<const wedged::ProvedBound> bounds = {});
+                               const std::vector<std::string>& theorems,
+                               std::span<const wedged::ProvedBound> bounds = {},
+                               const std::string& load_lines = no_load_lines);
 
 /// A name in one line, with control characters as \x0a.
 std::string one_line(const std::string& name);
@@ -32,13 +38,7 @@ std::string one_line(const std::string& name);
 /// ' ' and a hexadecimal number, for each number.
 void append_numbers(std::string& text, std::span<const double> numbers);
 
-/// Lines of the names and the friction of all candidates, of the blocks, and of the rigid-body
-/// modes.
-std::string candidate_lines(const problems::WedgedProblem& problem,
-                            std::span<const double> friction);
-std::string motion_lines(const problems::WedgedProblem& problem);
-
-/// Line of a node, including its line end.
+/// Line of a node of list_theorems(), or of a wedged configuration, including its line end.
 std::string certificate_line(const wedged::Evidence& evidence);
 
 /// Joins the parts of a search that an earlier run has completed; leaves the certificate if that
@@ -65,7 +65,7 @@ class CertificateFile {
   /// Writes a node. A full disk is reported by close(). @pre wanted()
   void add(const wedged::Evidence& evidence);
 
-  /// Writes whole lines of another kind of certificate. @pre wanted()
+  /// Writes whole lines. @pre wanted()
   void add(std::string_view lines) { parts_->put(lines); }
 
   /// Closes this part; collective over all ranks. @pre wanted()

@@ -59,16 +59,16 @@ class HoldCertificate final : public wedged::HoldRecord {
         file_(session, name, certificates.input, fingerprint, false) {}
 
   void tree(std::uint32_t block, const wedged::TreeEvidence& tree) override {
-    auto line = fmt::format("tree {} {}", block + 1, tree.shares.size());
+    auto line = fmt::format("none {} {}", block + 1, tree.shares.size());
     for (const auto& share : tree.shares)
       append_numbers(line, std::array{share.dead, share.reference});
     if (const auto& grip = tree.grip; grip && grip->kind != wedged::GripRestriction::Kind::equal) {
       line +=
           fmt::format(" {} {:a}", grip_words.at(static_cast<std::size_t>(grip->kind)), grip->total);
     }
-    trees_.push_back(line + '\n');
+    theorems_.push_back(line + '\n');
     for (const auto& node : tree.nodes.value()) {
-      line = fmt::format("dead {} {}", trees_.size(), sets(node.pattern));
+      line = fmt::format("infeasible {} {}", theorems_.size(), sets(node.pattern));
       append_numbers(line, node.numbers);
       file_.add(std::string_view(line += '\n'));
     }
@@ -78,36 +78,46 @@ class HoldCertificate final : public wedged::HoldRecord {
              const wedged::LoadedPattern& pattern, std::span<const double> numbers) override {
     has_states_ = true;
     if (!session_.is_first()) return;
-    auto line = fmt::format("{} {}", share ? "alive" : "wedged", block + 1);
+    auto line = fmt::format("{} {}", share ? "held" : "wedged", block + 1);
     if (share) append_numbers(line, std::array{share->dead, share->reference});
     line += ' ' + sets(pattern);
     append_numbers(line, numbers);
     file_.add(std::string_view(line += '\n'));
   }
 
-  [[nodiscard]] bool has_evidence() const override { return has_states_ || !trees_.empty(); }
+  [[nodiscard]] bool has_evidence() const override { return has_states_ || !theorems_.empty(); }
 
   void finish() override {
     file_.close();
     if (!session_.is_first()) return;
-    std::string text = "kusabi hold certificate 1\ncase";
-    if (!certificates_.load_case.empty()) text += ' ' + one_line(certificates_.load_case);
-    text += '\n' + candidate_lines(loaded_.problem, friction_) + motion_lines(loaded_.problem);
-    if (certificates_.total) text += fmt::format("total {:a}\n", *certificates_.total);
-    text += fmt::format("trees {}\n", trees_.size());
-    for (const auto& tree : trees_) text += tree;
-    file_.put_in_place(text + "nodes\n");
+    file_.put_in_place(certificate_header(loaded_.problem, friction_, theorems_, {}, load_lines()));
     if (!certificates_.quiet) print_written({name_});
   }
 
  private:
+  [[nodiscard]] std::string load_lines() const {
+    std::string text = "loads 2\ncase";
+    if (!certificates_.load_case.empty()) text += ' ' + one_line(certificates_.load_case);
+    const auto forces = wedged::equivalent_forces(loaded_);
+    const auto add = [&](const char* name, const auto& numbers) {
+      text += fmt::format("\n{}", name);
+      append_numbers(text, std::span(numbers.data(), static_cast<std::size_t>(numbers.size())));
+    };
+    add("clearance", loaded_.clearance);
+    add("dead", forces.dead);
+    add("reference", forces.reference);
+    text += "\ntotal";
+    if (certificates_.total) append_numbers(text, std::array{*certificates_.total});
+    return text + '\n';
+  }
+
   Session& session_;
   HoldCertificates certificates_;
   std::string name_;
   const wedged::LoadedProblem& loaded_;
   std::vector<double> friction_;
   CertificateFile file_;
-  std::vector<std::string> trees_;
+  std::vector<std::string> theorems_;
   bool has_states_ = false;
 };
 
@@ -359,9 +369,9 @@ void Hold::search_at(engine::Analysis& analysis, double mu) {
   else
     findings_.points.push_back(std::move(point));
   if (!record) return;
-  // Without a search the loads prove the answer.
+  // Without a search, and outside of the only factor in equilibrium, the loads prove the answer.
   findings_.certified = record->has_evidence() || (findings_.ended == engine::Status::solved &&
-                                                   findings_.costs().empty() && !one_factor);
+                                                   (findings_.costs().empty() || one_factor));
   if (findings_.certified) record->finish();
 }
 

@@ -101,6 +101,7 @@ class Patterns final : public Subcommand {
   [[nodiscard]] nlohmann::ordered_json head(const CommandRun& run) const;
   Step result_lines(CommandRun& run);
   [[nodiscard]] PatternsReport report() const;
+  [[nodiscard]] std::string header() const;  ///< of the certificate
   void end_certificate();
   void draw(OutputFolder& folder, const WholeStates& states) const;
   [[nodiscard]] std::string certificate_remark() const;
@@ -359,15 +360,19 @@ void Patterns::search(CommandRun& run) {
         wedged::firmness_of_patterns(analysis, *loaded_, options_.friction, findings_->leaves);
 }
 
+std::string Patterns::header() const {
+  return certificate_header(contact_.problem, friction_, list_theorems(contact_.problem),
+                            findings_->bounds);
+}
+
 void Patterns::end_certificate() {
   if (!certificate_->wanted() && !options_.certificate.empty()) {
-    put_earlier_certificate_in_place(
-        options_.certificate, options_.input.file, tree_fingerprint(),
-        certificate_header(contact_.problem, friction_, findings_->bounds));
+    put_earlier_certificate_in_place(options_.certificate, options_.input.file, tree_fingerprint(),
+                                     header());
   }
   if (!certificate_->wanted()) return;
   if (whole()) {
-    certificate_->put_in_place(certificate_header(contact_.problem, friction_, findings_->bounds));
+    certificate_->put_in_place(header());
   } else if (can_resume_) {
     certificate_->require_parts();
   }

@@ -17,10 +17,6 @@
 
 namespace kusabi::run {
 
-/// Column of the claims that are proved except for large displacements; the name is also that of
-/// saved states of earlier versions.
-inline constexpr const char* large_displacements_column = "but for far motion";
-
 inline constexpr std::string_view truss_of_certificate =
     "the truss is that of the certificate; with --problem FILE the claim is about a problem file\n";
 

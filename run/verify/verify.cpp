@@ -22,7 +22,6 @@
 #include "support/fingerprint.hpp"
 #include "verify/limit/limit_certificate.hpp"
 #include "verify/limit/loss_certificate.hpp"
-#include "verify/wedged/hold_certificate.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -102,14 +101,12 @@ void Verify::prepare(CommandRun& run) {
 
 // The first line identifies the kind of certificate.
 void Verify::search(CommandRun& run) {
-  if (text_.starts_with(verify::loss_first_words)) {
+  if (text_.starts_with(verify::loss_first_line)) {
     findings_ = verify_loss(run, options_, structure_, text_);
-  } else if (text_.starts_with(verify::limit_first_words)) {
+  } else if (text_.starts_with(verify::limit_first_line)) {
     findings_ = verify_limit(run, options_, structure_, text_);
-  } else if (text_.starts_with(verify::hold_first_words)) {
-    findings_ = verify_hold(run, options_, structure_, text_);
   } else {
-    findings_ = verify_patterns(run, options_, structure_, text_);
+    findings_ = verify_contact(run, options_, structure_, text_);
   }
 }
 

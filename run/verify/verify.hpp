@@ -25,12 +25,14 @@ struct VerifyFindings {
   std::string summary = {};                        ///< claims that are proved, and the method
 };
 
+/// Proves a certificate about a contact problem, all statements shared among the ranks.
 /// @param structure to prove it for; nothing: the stiffness of the certificate
 /// @param text of the certificate
-/// @throws WrongInput on every rank if it is not a certificate
-VerifyFindings verify_patterns(CommandRun& run, const VerifyOptions& options,
-                               const std::optional<problems::CheckedStructure>& structure,
-                               const std::string& text);
+/// @throws WrongInput on every rank if it is not a certificate, or if it has loads and there is no
+///         problem file
+VerifyFindings verify_contact(CommandRun& run, const VerifyOptions& options,
+                              const std::optional<problems::CheckedStructure>& structure,
+                              const std::string& text);
 
 /// Proves both bounds on all ranks, in pieces of one node.
 /// @param structure of the problem file to prove it for, if any
@@ -45,13 +47,6 @@ VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
 /// @throws WrongInput for a wrong certificate, on every rank; support::InputError if limit analysis
 ///         does not apply to the structure
 VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
-                           const std::optional<problems::CheckedStructure>& structure,
-                           const std::string& text);
-
-/// Proves all claims, shared among the ranks.
-/// @param text of the certificate
-/// @throws WrongInput if it is malformed, or there is no problem file
-VerifyFindings verify_hold(CommandRun& run, const VerifyOptions& options,
                            const std::optional<problems::CheckedStructure>& structure,
                            const std::string& text);
 

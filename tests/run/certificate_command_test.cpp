@@ -26,7 +26,7 @@ std::vector<std::string> node_lines(const std::string& name) {
   std::ifstream file(name);
   std::vector<std::string> lines;
   for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("dead") || line.starts_with("alive") || line.starts_with("marginal"))
+    if (line.starts_with("infeasible") || line.starts_with("wedged") || line.starts_with("marginal"))
       lines.push_back(line);
   }
   std::sort(lines.begin(), lines.end());
@@ -37,7 +37,7 @@ std::vector<std::string> node_lines(const std::string& name) {
 // Command that replaces the end of a changed certificate, with the right count and digest.
 std::string sealed(const std::string& name) {
   return fmt::format(
-      "{{ sed -i '/^end /,$d' {0} && echo \"end $(sed '1,/^nodes$/d' {0} | wc -l)\" >>{0} &&"
+      "{{ sed -i '/^end /,$d' {0} && echo \"end $(sed '1,/^evidence$/d' {0} | wc -l)\" >>{0} &&"
       "   echo \"digest $(sha1sum <{0} | cut -d' ' -f1)\" >>{0}; }}",
       name);
 }
@@ -98,7 +98,7 @@ TEST_F(PatternsCertificate, IsRefusedOnAnyNumberOfRanksIfFalsified) {
                              command));
   };
   for (const auto& launch : {std::string{}, ranks(3)}) {
-    const auto missing = verdict(launch, "sed -i '0,/^alive/{/^alive/d}' " + argument("spoilt"));
+    const auto missing = verdict(launch, "sed -i '0,/^wedged/{/^wedged/d}' " + argument("spoilt"));
     EXPECT_EQ(missing.exit_code, 1);
     EXPECT_THAT(missing.output, HasSubstr("refused: no node covers contact {"));
     EXPECT_THAT(missing.output, HasSubstr("\nNOT PROVED\n"));
@@ -106,7 +106,7 @@ TEST_F(PatternsCertificate, IsRefusedOnAnyNumberOfRanksIfFalsified) {
         verdict(launch, "sed -i '/^friction/s/0x1.4/0x1.f/g' " + argument("spoilt"));
     EXPECT_EQ(steeper.exit_code, 1);
     EXPECT_THAT(steeper.output, HasSubstr("its multipliers do not rule out a reaction at"));
-    EXPECT_THAT(steeper.output, HasSubstr("refused: dead contact {"));
+    EXPECT_THAT(steeper.output, HasSubstr("refused: infeasible contact {"));
   }
 }
 
@@ -161,7 +161,7 @@ TEST_F(PatternsCertificate, ProvesTheBracketOfASlabBetweenParallelWalls) {
 TEST_F(PatternsCertificate, IsRefusedIfItsDigestIsWrong) {
   const auto cert = argument("cert");
   shell(command + " patterns " + truss + " --mu 0.65 --certificate " + cert);
-  shell("sed -i '0,/^alive/s/^alive/dead/' " + cert);
+  shell("sed -i '0,/^wedged/s/^wedged/infeasible/' " + cert);
   for (const auto& launch : {std::string{}, ranks(2)}) {
     const auto run = shell(launch + command + " verify " + cert);
     EXPECT_EQ(run.exit_code, 2);
@@ -237,7 +237,7 @@ TEST_F(PatternsCertificate, IsCompletedByAResumedRun) {
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_THAT(other.output, HasSubstr("expected the name with which the search began"));
   // A part that was being written when a run was killed.
-  std::ofstream(in_folder("cert.part.1.0"), std::ios::app) << "dead 1 2 0x1.8";
+  std::ofstream(in_folder("cert.part.1.0"), std::ios::app) << "infeasible 1 2 0x1.8";
   const auto again = shell(ranks(3) + call + with + rest);
   EXPECT_EQ(again.exit_code, 0) << again.output;
   EXPECT_THAT(files(), testing::Each(testing::Not(HasSubstr(".part."))));

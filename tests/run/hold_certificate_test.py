@@ -28,6 +28,12 @@ def sealed(body):
     return f"{body}digest {hashlib.sha1(body.encode()).hexdigest()}\n"
 
 
+def counted(body):
+    """The certificate with the right number of lines of evidence."""
+    lines = body[body.index("\nevidence\n"):].count("\n") - 3
+    return sealed(re.sub(r"(?m)^end \d+$", f"end {lines}", body))
+
+
 def ranges(text):
     """[(low, high)] of a part of the sentence of `verify`."""
     if text is None:
@@ -137,18 +143,17 @@ class HoldCertificate(KusabiCase):
         body = text[:text.rindex("digest ")]
         forged = self.folder / "forged"
         for pattern, change in (
-                (r"(tree 1 2 (?:\S+ \S+ )*?0x1p\+0 )(\S+)", lambda m: m[1] + "0x0p+0"),  # a larger range
-                (r"(?m)^(alive 1 0x1p\+0 )(-?)\S+", lambda m: f"{m[1]}{m[2]}0x1p+1"),  # a factor that is not held
-                (r"(?m)^dead .*\n", lambda m: ""),  # a missing node
-                (r"(?m)^(dead \d+ )0 0", lambda m: f"{m[1]}1 0")):  # half of the patterns
+                (r"(none 1 2 (?:\S+ \S+ )*?0x1p\+0 )(\S+)", lambda m: m[1] + "0x0p+0"),  # a larger range
+                (r"(?m)^(held 1 0x1p\+0 )(-?)\S+", lambda m: f"{m[1]}{m[2]}0x1p+1"),  # a factor that is not held
+                (r"(?m)^infeasible .*\n", lambda m: ""),  # a missing node
+                (r"(?m)^(infeasible \d+ )0 0", lambda m: f"{m[1]}1 0")):  # half of the patterns
             other = re.sub(pattern, change, body, count=1)
             self.assertNotEqual(other, body, pattern)
-            other = re.sub(r"(?m)^end \d+$", lambda m: f"end {len(re.findall('(?m)^(dead|alive|wedged) ', other))}", other)
-            forged.write_text(sealed(other))
+            forged.write_text(counted(other))
             run, said = self.verified(forged, LADDER)
             self.assertEqual(run.returncode, 1, f"{pattern}: {said}")
         generator = random.Random(1)
-        begin = body.index("trees ")
+        begin = body.index("theorems ")
         outcomes = {}
         for _ in range(60):
             place = generator.randrange(begin, len(body))
@@ -174,14 +179,23 @@ class HoldCertificate(KusabiCase):
         body = text[:text.rindex("digest ")]
         forged = self.folder / "forged"
         for pattern, new in ((r"(?m)^friction .*", "friction" + 6 * f" {(0.31).hex()}"),  # it is held
-                             (r"(?m)^(dead \S+ \S+ \S+(?: \S+){6}) .*", r"\1" + 6 * " 0x0p+0"),  # no motion
-                             (r"(?m)^(tree \S+ \S+ )0x1p\+0", r"\1-0x1p+0"),  # the opposite load, which is not held either
-                             (r"(?m)^(dead \S+ )0 0", r"\g<1>1 0")):  # half of the patterns
+                             (r"(?m)^(infeasible \S+ \S+ \S+(?: \S+){6}) .*", r"\1" + 6 * " 0x0p+0"),  # no motion
+                             (r"(?m)^(none \S+ \S+ )0x1p\+0", r"\1-0x1p+0"),  # the opposite load, which is not held either
+                             (r"(?m)^(infeasible \S+ )0 0", r"\g<1>1 0")):  # half of the patterns
             other = re.sub(pattern, new, body, count=1)
             self.assertNotEqual(other, body, pattern)
             forged.write_text(sealed(other))
             run, said = self.verified(forged, place)
             self.assertIn(run.returncode, (1, 2), f"{pattern}: {said}")
+
+    def test_statics_alone_excludes_all_factors_but_one(self):
+        # A post that stands on one point: any part of the reference load makes it fall over, and nothing resists that.
+        post = SOURCES / "tests" / "cases" / "post_on_floor.toml"
+        self.written(post, "--mu", 0.4)
+        held, none, said = self.proved(self.folder / "cert", post)
+        self.assertEqual(held, [])
+        self.assertEqual([each for range_ in none for each in range_ if abs(each) > 1e-300], [-math.inf, math.inf])
+        self.assertEqual(len(none), 2, said)
 
     def test_sum_of_normal_reactions_of_a_ladder_is_that_of_statics(self):
         # Statics with the reaction T of the wall along it: N_floor = 1 - T, N_wall = (1/2 - T) / SLOPE. T is at most
@@ -222,12 +236,11 @@ class HoldCertificate(KusabiCase):
         # Without the tree that excludes wedged configurations of the peg there is no upper bound.
         body = (self.folder / "cert").read_text()
         body = body[:body.rindex("digest ")]
-        trees = re.findall(r"(?m)^tree .*$", body)
-        (number,) = [k for k, each in enumerate(trees, 1) if re.fullmatch(r"tree \d+ 0", each)]
-        other = re.sub(rf"(?m)^dead {number} .*\n", "", body)
-        other = re.sub(r"(?m)^end \d+$", lambda m: f"end {len(re.findall('(?m)^(dead|alive|wedged) ', other))}", other)
+        theorems = re.findall(r"(?m)^none .*$", body)
+        (number,) = [k for k, each in enumerate(theorems, 1) if re.fullmatch(r"none \d+ 0", each)]
+        other = re.sub(rf"(?m)^infeasible {number} .*\n", "", body)
         forged = self.folder / "forged"
-        forged.write_text(sealed(other))
+        forged.write_text(counted(other))
         run, said = self.verified(forged, place)
         self.assertEqual(run.returncode, 1)
         self.assertNotIn("or less", said)
@@ -325,19 +338,37 @@ force = [-0.01, 0]
         self.written(place, "--mu", 0.4)
         certificate = self.folder / "cert"
         body = certificate.read_text()
-        certificate.write_text(sealed(body[:body.index("digest")].replace("\ntrees ", "\ntotal 0x1p-3\ntrees ")))
+        certificate.write_text(sealed(body[:body.index("digest")].replace("\ntotal\n", "\ntotal 0x1p-3\n")))
         self.assertIn("expected no total, since it is that of one block", self.refused("verify", certificate, "--problem", place))
 
     def test_a_total_without_a_state_proves_nothing(self):
-        # Also in a file without loads.
-        place = self.folder / "bare.toml"
-        place.write_text(LADDER.read_text().split("[[loads]]")[0])
         body = self.written(LADDER, "--mu", 0.4)
         certificate = self.folder / "cert"
-        certificate.write_text(sealed(body[:body.index("\ntrees ")] + "\ntotal 0x1p-3\ntrees 0\nnodes\nend 0\n"))
-        run, said = self.verified(certificate, place)
-        self.assertNotEqual(run.returncode, 0)
+        body = body[:body.index("\ntotal")] + "\ntotal 0x1p-3\ntheorems 0\nbounds 0\nevidence\nend 0\n"
+        certificate.write_text(sealed(body))
+        run, said = self.verified(certificate, LADDER)
+        self.assertEqual(run.returncode, 3)
         self.assertIn("NOTHING PROVED", said)
+        # The same in a file without loads.
+        bare = self.folder / "bare.toml"
+        bare.write_text(LADDER.read_text().split("[[loads]]")[0])
+        certificate.write_text(sealed(re.sub(r"(?m)^(dead|reference) .*$", r"\1" + 4 * " 0x0p+0", body)))
+        run, said = self.verified(certificate, bare)
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("NOTHING PROVED", said)
+
+    def test_a_state_of_the_reference_load_alone_leads_nowhere_at_a_total(self):
+        # Its own reactions would add to those of any other state of its pattern: with a sum of sqrt 2 the tip holds the
+        # factors from -0.5 to 0.5 (tests/cases/two_bars_at_a_total.toml), not those beyond.
+        case = SOURCES / "tests" / "cases" / "two_bars_at_a_total.toml"
+        body = self.written(case, "--mu", 1, "--total", math.sqrt(2))
+        body = body[:body.rindex("digest ")]
+        alone = "held 1 0x0p+0 0x1p+0 1 0 0x0p+0\n"
+        end = body.rindex("end ")
+        forged = self.folder / "forged"
+        forged.write_text(counted(body[:end] + alone + body[end:]))
+        held, none, _ = self.proved(forged, case)
+        self.assertTrue(all(-0.5 <= low and high <= 0.5 for low, high in held), held)
 
     def test_totals_and_grips_are_not_combined(self):
         self.assertIn("expected one of them", self.refused("hold", LADDER, "--mu", 0.4, "--total", 1, "--grip"))

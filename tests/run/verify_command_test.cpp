@@ -163,10 +163,10 @@ TEST_F(VerifyCommand, ProvesBoundsBeforeNodesThatRequireThem) {
                                 HasSubstr("PROVED: the list of 1 pattern is complete")));
   const auto refused = shell(command + " verify " + given_certificate("refused-bound.cert"));
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_THAT(refused.output, AllOf(HasSubstr("refused-bound.cert:16: refused: bound 0.25 b "
+  EXPECT_THAT(refused.output, AllOf(HasSubstr("refused-bound.cert:19: refused: bound 0.25 b "
                                               "separated: its multipliers do not rule out"),
-                                    HasSubstr("refused-bound.cert:17: refused: never a contact: "),
-                                    HasSubstr("refused-bound.cert:20: refused: cut contact {a}"),
+                                    HasSubstr("refused-bound.cert:20: refused: never a contact: "),
+                                    HasSubstr("refused-bound.cert:23: refused: cut contact {a}"),
                                     HasSubstr("bounds: 1 proved\n"), HasSubstr("NOT PROVED")));
 }
 

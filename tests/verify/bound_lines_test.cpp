@@ -31,7 +31,7 @@ TEST(BoundLines, AreReadAsTheyWereWritten) {
   const auto certificate = read_certificate(two_candidates(2).text(), "cert");
   ASSERT_EQ(certificate.bounds.size(), 3U);
   const auto& [line, block, candidate, side, maximum, multipliers] = certificate.bounds[0];
-  EXPECT_EQ(line, 16U);
+  EXPECT_EQ(line, 19U);
   EXPECT_EQ(block, 0U);
   EXPECT_EQ(candidate, 1);
   EXPECT_EQ(side, Side::separated);
@@ -39,8 +39,8 @@ TEST(BoundLines, AreReadAsTheyWereWritten) {
   EXPECT_EQ(multipliers, (std::vector<double>{0, 1, 0, 0, 1}));
   EXPECT_EQ(certificate.bounds[1].side, Side::contact);
   EXPECT_EQ(certificate.bounds[1].maximum, std::nullopt);
-  EXPECT_EQ(certificate.records[0].claim, Claim::cut);
-  EXPECT_EQ(certificate.records[0].numbers, (std::vector<double>{-4, -4, 0, 1}));
+  EXPECT_EQ(certificate.nodes[0].claim, Claim::cut);
+  EXPECT_EQ(certificate.nodes[0].numbers, (std::vector<double>{-4, -4, 0, 1}));
 }
 
 struct Wrong {
@@ -57,15 +57,14 @@ TEST(BoundLines, ReportsFaultAndExpectation) {
   const auto text = draft.text();
   ASSERT_EQ(complaint(text), "");
   const Wrong table[] = {
-      {"kusabi certificate 4", "kusabi certificate 3", "cert:15: 'bounds 2', expected 'nodes'"},
-      {"bounds 2", "bounds", "cert:15: 'bounds', expected 'bounds' and a number"},
+      {"bounds 2", "bounds", "cert:18: 'bounds', expected 'bounds' and a number"},
       {"bounds 2", "bounds -1", "expected 'bounds' and a number"},
       {"bounds 2", "bounds 2 ", "expected 'bounds' and a number"},
-      {"bounds 2", "bounds 1", "cert:17: 'never 1 0 contact"},
-      {"bounds 2", "bounds 3", "cert:18: 'nodes', expected 'bound' or 'never'"},
+      {"bounds 2", "bounds 1", "cert:20: 'never 1 0 contact"},
+      {"bounds 2", "bounds 3", "cert:21: 'evidence', expected 'bound' or 'never'"},
       {"bounds 2", "bounds 18446744073709551615", "a number that the rest of the file holds"},
       {"bounds 2\n", "", "expected 'bounds' and a number"},
-      {"bound 1 1", "bond 1 1", "cert:16: 'bond 1 1"},
+      {"bound 1 1", "bond 1 1", "cert:19: 'bond 1 1"},
       {"bound 1 1", "bound 0 1", "expected the number of a block, from 1 to 1"},
       {"bound 1 1", "bound 2 1", "expected the number of a block, from 1 to 1"},
       {"bound 1 1", "bound 1 2", "expected a contact candidate of the block, counted from 0"},
@@ -80,15 +79,16 @@ TEST(BoundLines, ReportsFaultAndExpectation) {
       {"0x0p+0 0x0p+0 0x1p+0\n", "0x0p+0 0x0p+0 0x0p+0\n", "the last one, above zero"},
       {"0x0p+0 0x0p+0 0x1p+0\n", "0x0p+0 0x0p+0 -0x1p+0\n", "the last one, above zero"},
       {"0x0p+0 0x0p+0 0x1p+0\n", "0x0p+0 0x0p+0\n", "expected 5 multipliers, each like"},
-      {"never 1 0", "never 1", "cert:17: "},
+      {"never 1 0", "never 1", "cert:20: "},
       {"contact -0x1p+2", "contact 0x1p-2 -0x1p+2", "expected 4 multipliers, each like"},
       {"cut 1 1 0 -0x1p+2", "cut 1 1 0 -0x1p+2 0x1p+0", "expected 4 multipliers, each like"},
       {"cut 1 1 0 -0x1p+2", "cut 1 1 1 -0x1p+2", "expected two disjoint sets of candidates"},
       {"cut 1 1 0 -0x1p+2 -0x1p+2 0x0p+0", "cut 1 1 0 -0x1p+2 -0x1p+2 -0x1p+0",
-       "cert:19: 'cut 1 1 0 -0x1p+2 -0x1p+2 -0x1p+0 0x1p+0', expected multipliers of cuts"},
+       "cert:22: 'cut 1 1 0 -0x1p+2 -0x1p+2 -0x1p+0 0x1p+0', expected multipliers of cuts"},
       {"cut 1 1 0", "form 1 1 0", "expected two empty sets"},
       {"cut 1 1 0", "form 1 0 0", "expected 10 multipliers of products, slips and squares"},
-      {"cut 1 1", "shut 1 1", "expected 'dead', 'cut', 'form', 'alive', 'marginal' or 'end'"},
+      {"cut 1 1", "shut 1 1",
+       "expected 'infeasible', 'cut', 'form', 'marginal', 'wedged', 'held' or 'end'"},
   };
   for (const auto& [what, with, said] : table) {
     auto wrong = text;
@@ -102,7 +102,7 @@ TEST(BoundLines, ReportsFaultAndExpectation) {
 
 // Bounds of an unconstrained body have coefficients of its rigid-body modes, too.
 TEST(BoundLines, ReferToTheirOwnBlock) {
-  const std::vector<std::string> header = {"kusabi certificate 4\n",
+  const std::vector<std::string> header = {"kusabi certificate 5 contact\n",
                                            "dimension 2\n",
                                            "candidates 2\n",
                                            "name a\n",
@@ -122,7 +122,7 @@ TEST(BoundLines, ReferToTheirOwnBlock) {
                                            "0x0p+0\n",
                                            "0x0p+0\n"};
   const auto with = [&](const std::string& bound, const std::string& node) {
-    return complaint(BoundsDraft{header, {bound}, {node}}.text());
+    return complaint(Draft{header, {bound}, {node}}.text());
   };
   const auto good = "bound 2 1 contact" + numbers({2, 0, 0, 1});
   EXPECT_EQ(with(good, "cut 2 0 0" + numbers({0, 0})), "");
@@ -144,7 +144,7 @@ TEST(BoundLines, AgreeOnInfeasibilityWithAndWithoutCuts) {
   EXPECT_THAT(verdict(draft.text()).refusals, IsEmpty());
   draft.nodes.push_back("cut 1 2 1" + numbers({0, 0, 0, 0}));
   EXPECT_THAT(verdict(draft.text()).refusals,
-              Contains(ContainsRegex("line [0-9]+ says alive and line [0-9]+ says cut of")));
+              Contains(ContainsRegex("line [0-9]+ says wedged and line [0-9]+ says cut of")));
 }
 
 }  // namespace

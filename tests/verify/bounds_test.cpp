@@ -24,9 +24,9 @@ using testing::IsEmpty;
 
 // One candidate, K = [2 1; 1 2]: u_n = (2 r_n - r_t)/3 is positive for mu < 2. No multipliers of
 // displacements alone prove the undecided node infeasible; the cut u_n + r_n <= r_n does.
-BoundsDraft one(double mu) {
-  BoundsDraft draft;
-  draft.header = {"kusabi certificate 4\n",
+Draft one(double mu) {
+  Draft draft;
+  draft.header = {"kusabi certificate 5 contact\n",
                   "dimension 2\n",
                   "candidates 1\n",
                   "name a\n",
@@ -73,7 +73,7 @@ TEST(Bounds, AreValidForEveryStiffnessWithinTheRadius) {
     stiffness.radius = Dyadic(radius);
     Proof proof(certificate, stiffness);
     EXPECT_EQ(proof.add_bound(certificate.bounds[0]), std::nullopt);
-    return proof.proof_result(certificate.records[0]).refusal.has_value();
+    return proof.proof_result(certificate.nodes[0]).refusal.has_value();
   };
   for (const double near : {1e-3, 1e-9}) {
     EXPECT_FALSE(refused(2 - near, 0));
@@ -103,7 +103,7 @@ TEST(Bounds, AreRequiredToProveANodeByCuts) {
   auto draft = two_candidates(2);
   for (int a = -8; a <= 8; ++a) {
     for (int b = -8; b <= 8; ++b) {
-      draft.nodes[0] = "dead 1 1 0" + numbers({1.0 * a, 1.0 * b});
+      draft.nodes[0] = "infeasible 1 1 0" + numbers({1.0 * a, 1.0 * b});
       EXPECT_THAT(verdict(draft.text()).refusals, testing::SizeIs(1));
     }
   }
@@ -166,11 +166,11 @@ TEST(Bounds, DependOnEarlierBounds) {
 // A bar in a groove, as in unconstrained_bodies_test.cpp: the walls' normals are (0.6, 0.8) and
 // (-0.6, 0.8), and it is wedged from mu = 4/3 on, by two equal reactions. Rigid-body modes alone
 // give all proofs.
-BoundsDraft unconstrained_bar(double mu) {
-  BoundsDraft draft;
+Draft unconstrained_bar(double mu) {
+  Draft draft;
   draft.header = {
-      "kusabi certificate 4\n",       "dimension 2\n", "candidates 2\n", "name a\n",   "name b\n",
-      "friction" + numbers({mu, mu}), "blocks 1\n",    "block 3\n",      "stiffness\n"};
+      "kusabi certificate 5 contact\n", "dimension 2\n", "candidates 2\n", "name a\n",   "name b\n",
+      "friction" + numbers({mu, mu}),   "blocks 1\n",    "block 3\n",      "stiffness\n"};
   const std::vector<double> stretch{-0.6, -0.8, -0.6, 0.8};
   for (std::size_t i = 0; i < 4; ++i) {
     std::vector<double> row;
@@ -185,8 +185,8 @@ BoundsDraft unconstrained_bar(double mu) {
   draft.bounds = {"bound 1 0 contact" + numbers({0.6, 0, 0, -0.3, 0, 0.4, 0, 0, 1}),
                   "bound 1 1 contact" + numbers({0.6, 0, 0, 0.3, 0, -0.4, 0, 0, 1}),
                   "never 1 1 separated" + numbers({0, 0, -0.6, -0.8, 0, 0, 0})};
-  draft.nodes = {"alive 1 3 0" + numbers({0.8, -0.8, 0, 0, 0}),
-                 "dead 1 0 1" + numbers({0, 0, 0.6, -0.8, 0}),
+  draft.nodes = {"wedged 1 3 0" + numbers({0.8, -0.8, 0, 0, 0}),
+                 "infeasible 1 0 1" + numbers({0, 0, 0.6, -0.8, 0}),
                  "cut 1 1 2" + numbers({0, 0, 0, 0, 0, 0, 0})};
   return draft;
 }

@@ -47,8 +47,9 @@ TEST(Certificate, IsReadAsItWasWritten) {
                 problem.compliance.stiffness(i, j));
     }
   }
-  EXPECT_EQ(certificate.records.size(), small().nodes.size());
-  EXPECT_EQ(certificate.records.front().line, small().header.size() + 1);
+  EXPECT_EQ(certificate.nodes.size() + certificate.states.size(), small().nodes.size());
+  EXPECT_EQ(std::min(certificate.nodes.front().line, certificate.states.front().line),
+            small().lines_before_nodes() + 1);
   EXPECT_EQ(certificate.names_of(0b1010), "{c1 c3}");
   EXPECT_EQ(certificate.names_of(0), "{}");
 }
@@ -66,9 +67,10 @@ TEST(Certificate, EveryAlteredByteIsNoticed) {
   for (int trial = 0; trial < 300; ++trial) {
     auto altered = text;
     altered[generator() % text.size()] ^= static_cast<char>(1 + generator() % 255);
-    EXPECT_THAT(complaint(altered), testing::AnyOf(HasSubstr("cert: was altered: digest '"),
-                                                   HasSubstr("cert: is not complete"),
-                                                   HasSubstr("expected 'kusabi certificate 4'")));
+    EXPECT_THAT(
+        complaint(altered),
+        testing::AnyOf(HasSubstr("cert: was altered: digest '"), HasSubstr("cert: is not complete"),
+                       HasSubstr("expected 'kusabi certificate 5 contact'")));
   }
 }
 
@@ -91,9 +93,16 @@ struct Wrong {
 TEST(Certificate, ReportsFaultAndExpectation) {
   const auto text = small().text();
   const Wrong table[] = {
-      {"kusabi certificate 1", "kusabi certificate 5", "cert:1: 'kusabi certificate 5', expected"},
-      {"kusabi certificate 1", "kusabi certificate 4", "expected 'blocks' and a number"},
-      {"kusabi certificate 1", "kusabi certificate 2", "expected 'blocks' and a number"},
+      {"kusabi certificate 5", "kusabi certificate 6",
+       "cert:1: 'kusabi certificate 6 contact', exp"},
+      {"kusabi certificate 5 contact", "kusabi certificate 4",
+       "cert:1: 'kusabi certificate 4', exp"},
+      {"loads 0", "loads 1", "expected 'loads 0' or 'loads 2'"},
+      {"loads 0", "loads 2", "expected 'case' and the name of a load case"},
+      {"theorems 1", "theorems 2", "expected 'none' with its block, loads and sum"},
+      {"none 1 0", "none 2 0", "expected the number of a block, from 1 to 1"},
+      {"none 1 0", "none 1 1 0x1p+0 0x0p+0", "expected no loads, since the certificate has none"},
+      {"none 1 0", "none 1 0 above 0x1p+0", "expected no sum without loads"},
       {"dimension 2", "dimension 4", "cert:2: 'dimension 4', expected 'dimension 2' or"},
       {"dimension 2", "dimension", "cert:2: 'dimension', expected"},
       {"candidates 4", "candidates 0", "cert:3: 'candidates 0', expected"},
@@ -110,19 +119,22 @@ TEST(Certificate, ReportsFaultAndExpectation) {
       {"friction 0x1p+2", "friction 0x1p+9999", "expected 4 friction coefficients"},
       {"friction 0x1p+2", "friction  0x1p+1", "expected 4 friction coefficients"},
       {"friction 0x1p+2", "friction 0x1p+2 0x1p+1", "expected 4 friction coefficients"},
-      {"stiffness\n", "stiffness\n\n", "cert:10: '', expected 1 entries of row 1"},
-      {"nodes\n", "nodes\nundead 0 0\n", "expected 'dead', 'alive', 'marginal' or 'end'"},
-      {"nodes\n", "nodes\ncut 0 0\n", "expected 'dead', 'alive', 'marginal' or 'end'"},
-      {"nodes\n", "nodes\ndead 1 1 0x0p+0\n", "expected two disjoint sets"},
-      {"nodes\n", "nodes\ndead 10 1 0x0p+0\n", "expected two disjoint sets"},
-      {"nodes\n", "nodes\ndead -1 1 0x0p+0\n", "expected two disjoint sets"},
-      {"nodes\n", "nodes\ndead 1\n", "expected two disjoint sets"},
-      {"nodes\n", "nodes\ndead 1 2\n", "expected 4 multipliers"},
-      {"nodes\n", "nodes\nalive 1 2 0x1p+0\n", "expected a leaf"},
-      {"nodes\n", "nodes\nmarginal 1 2\n", "expected a leaf"},
-      {"nodes\n", "nodes\nmarginal f 0 \n", "expected 0 numbers"},
-      {"nodes\n", "nodes\nalive f 0 0x1p+0\n", "expected 4 tangential reactions"},
-      {"nodes\n", "nodes\nmarginal f 0\n", "the number of nodes above"},
+      {"stiffness\n", "stiffness\n\n", "cert:12: '', expected 1 entries of row 1"},
+      {"evidence\n", "evidence\ndead 1 0 0\n",
+       "expected 'infeasible', 'cut', 'form', 'marginal', 'wedged', 'held' or 'end'"},
+      {"evidence\n", "evidence\ninfeasible 2 1 2\n",
+       "expected the number of a theorem, from 1 to 1"},
+      {"evidence\n", "evidence\nheld 1 f 0\n",
+       "expected 'wedged', since the certificate has no loads"},
+      {"evidence\n", "evidence\ninfeasible 1 1 1 0x0p+0\n", "expected two disjoint sets"},
+      {"evidence\n", "evidence\ninfeasible 1 10 1 0x0p+0\n", "expected two disjoint sets"},
+      {"evidence\n", "evidence\ninfeasible 1 -1 1 0x0p+0\n", "expected two disjoint sets"},
+      {"evidence\n", "evidence\ninfeasible 1 1\n", "expected two disjoint sets"},
+      {"evidence\n", "evidence\ninfeasible 1 1 2\n", "expected 4 multipliers"},
+      {"evidence\n", "evidence\nwedged 1 1 2 0x1p+0\n", "expected a leaf"},
+      {"evidence\n", "evidence\nmarginal 1 f 0 \n", "expected 0 numbers"},
+      {"evidence\n", "evidence\nwedged 1 f 0 0x1p+0\n", "expected 4 tangential reactions"},
+      {"evidence\n", "evidence\nmarginal 1 f 0\n", "the number of nodes above"},
       {"end ", "end 1", "the number of nodes above"},
       {"end ", "end -", "the number of nodes above"},
       {"digest ", "more\ndigest ", "expected the line 'digest …', the last one"},
@@ -134,9 +146,9 @@ TEST(Certificate, ReportsFaultAndExpectation) {
     EXPECT_THAT(complained, HasSubstr(said)) << with;
     EXPECT_EQ(complained.find('\n'), std::string::npos);
   }
-  EXPECT_EQ(complaint(""), "cert:1: the file ends here, expected 'kusabi certificate 4'");
-  EXPECT_EQ(complaint("name = 1\n"), "cert:1: 'name = 1', expected 'kusabi certificate 4'");
-  EXPECT_THAT(complaint("kusabi certificate 1\n"), HasSubstr("cert: is not complete"));
+  EXPECT_EQ(complaint(""), "cert:1: the file ends here, expected 'kusabi certificate 5 contact'");
+  EXPECT_EQ(complaint("name = 1\n"), "cert:1: 'name = 1', expected 'kusabi certificate 5 contact'");
+  EXPECT_THAT(complaint("kusabi certificate 5 contact\n"), HasSubstr("cert: is not complete"));
   EXPECT_THAT(complaint(text + "\n"), HasSubstr("cert: is not complete"));
   EXPECT_THAT(complaint(sealed("")), HasSubstr("cert"));
 }
@@ -152,12 +164,12 @@ TEST(CertificateInBlocks, IsReadAsItWasWritten) {
   const auto certificate = read_certificate(pieces().text(), "cert");
   EXPECT_EQ(certificate.blocks, (std::vector<support::IndexSet>{0b00111, 0b11000}));
   EXPECT_EQ(certificate.names, (std::vector<std::string>{"a-c0", "a-c1", "a-c2", "b-c0", "b-c1"}));
-  EXPECT_EQ(certificate.records.size(), pieces().nodes.size());
-  for (const auto& record : certificate.records) {
-    const auto known = record.contact | record.separated;
-    EXPECT_TRUE(certificate.blocks[record.block].includes(known));
-    if (record.claim == Claim::infeasible) {
-      EXPECT_EQ(record.numbers.size(), record.block == 0 ? 3U : 2U);
+  EXPECT_EQ(certificate.nodes.size() + certificate.states.size(), pieces().nodes.size());
+  for (const auto& node : certificate.nodes) {
+    const auto block = certificate.theorems[node.theorem].block;
+    EXPECT_TRUE(certificate.blocks[block].includes(node.contact | node.separated));
+    if (node.claim == Claim::infeasible) {
+      EXPECT_EQ(node.numbers.size(), block == 0 ? 3U : 2U);
     }
   }
   EXPECT_EQ(certificate.stiffness[10 * 7 + 2], 0);
@@ -175,13 +187,14 @@ TEST(CertificateInBlocks, ReportsFaultAndExpectation) {
       {"block 18", "block 8", "expected all contact candidates in the blocks, but {b-c1} are"},
       {"block 7", "block 18", "cert:11: 'block 18', expected the block of a-c0, the first"},
       {"0x0p+0", "0x1p-900", "expected 0x0p+0 as entry 1, which couples two blocks"},
-      {"nodes\n", "nodes\ndead 0 1 2 0x0p+0\n", "expected the number of a block, from 1 to 2"},
-      {"nodes\n", "nodes\ndead 3 1 2 0x0p+0\n", "expected the number of a block, from 1 to 2"},
-      {"nodes\n", "nodes\ndead 1 1 8 0x0p+0\n", "expected two disjoint sets of candidates of the"},
-      {"nodes\n", "nodes\ndead 2 8 10 0x0p+0\n", "expected 2 multipliers"},
-      {"nodes\n", "nodes\nalive 2 8 0 0x0p+0\n", "expected a leaf"},
-      {"nodes\n", "nodes\nmarginal 1 3\n", "expected two disjoint sets"},
-      {"nodes\n", "nodes\nmarginal 1 3 0\n",
+      {"evidence\n", "evidence\ninfeasible 0 1 2 0x0p+0\n", "the number of a theorem, from 1 to 2"},
+      {"evidence\n", "evidence\ninfeasible 3 1 2 0x0p+0\n", "the number of a theorem, from 1 to 2"},
+      {"evidence\n", "evidence\ninfeasible 1 1 8 0x0p+0\n",
+       "expected two disjoint sets of candidates of the"},
+      {"evidence\n", "evidence\ninfeasible 2 8 10 0x0p+0\n", "expected 2 multipliers"},
+      {"evidence\n", "evidence\nwedged 2 8 0 0x0p+0\n", "expected a leaf"},
+      {"evidence\n", "evidence\nmarginal 1 3\n", "expected two disjoint sets"},
+      {"evidence\n", "evidence\nmarginal 1 3 0\n",
        "the number of nodes above"},  // no leaf, and none required
   };
   for (const auto& [what, with, said] : table) {
@@ -218,7 +231,7 @@ TEST(CertificateInBlocks, EachBlockMustBeCovered) {
 // problem is unchanged.
 TEST(Certificate, NoChangeOfTheNodesProvesAnotherList) {
   const auto text = small().text();
-  const auto nodes = text.find("nodes\n") + 6;
+  const auto nodes = text.find("evidence\n") + 9;
   const auto end = text.rfind("digest ");
   const auto truth = verdict(text);
   ASSERT_TRUE(truth.proved());

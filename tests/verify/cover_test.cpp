@@ -22,21 +22,19 @@ Certificate of(std::size_t candidates) {
     certificate.names.push_back(std::string(1, static_cast<char>('a' + i)));
   }
   certificate.blocks = {certificate.all_candidates()};
+  certificate.theorems.resize(1);
   return certificate;
 }
 
-void add(Certificate& certificate, std::uint64_t contact, std::uint64_t separated,
-         Claim claim = Claim::infeasible) {
-  Record record;
-  record.line = certificate.records.size() + 1;
-  record.claim = claim;
-  record.contact = contact;
-  record.separated = separated;
-  certificate.records.push_back(record);
+void add(Certificate& certificate, std::uint64_t contact, std::uint64_t separated) {
+  certificate.nodes.push_back({.line = certificate.nodes.size() + 1,
+                               .claim = Claim::infeasible,
+                               .contact = contact,
+                               .separated = separated});
 }
 
 std::string flaw(const Certificate& certificate) {
-  return flaw_of_cover(certificate).value_or("");
+  return flaw_of_cover(certificate, 0).value_or("");
 }
 
 TEST(Cover, IsCompleteWithTheRootAlone) {
@@ -67,8 +65,13 @@ TEST(Cover, ReportsContradictoryClaims) {
   auto certificate = of(1);
   add(certificate, 1, 0);
   add(certificate, 0, 1);
-  add(certificate, 0, 1, Claim::feasible);
-  EXPECT_THAT(flaw(certificate), HasSubstr("line 2 says dead and line 3 says alive of"));
+  certificate.states.push_back({.line = 3, .separated = 1});
+  EXPECT_THAT(flaw(certificate), HasSubstr("line 2 says infeasible and line 3 says wedged of"));
+  // A state under load says nothing about wedged configurations, and is none of another block.
+  certificate.states.front().share = LoadShare{1, 0};
+  EXPECT_EQ(flaw(certificate), "");
+  certificate.states.front() = {.line = 3, .block = 1, .separated = 1};
+  EXPECT_EQ(flaw(certificate), "");
 }
 
 // Three nodes that cover six of eight patterns, two by two, without a common candidate for the
@@ -98,18 +101,18 @@ TEST(Cover, AcceptsRandomTreesAndRefusesAlteredOnes) {
       open.emplace_back(contact | split, separated);
       open.emplace_back(contact, separated | split);
     }
-    std::shuffle(certificate.records.begin(), certificate.records.end(), generator);
+    std::shuffle(certificate.nodes.begin(), certificate.nodes.end(), generator);
     ASSERT_EQ(flaw(certificate), "");
-    const auto which = generator() % certificate.records.size();
+    const auto which = generator() % certificate.nodes.size();
     auto spoilt = certificate;
-    spoilt.records.push_back(spoilt.records[which]);
+    spoilt.nodes.push_back(spoilt.nodes[which]);
     EXPECT_NE(flaw(spoilt), "");
     spoilt = certificate;
-    spoilt.records.erase(spoilt.records.begin() + static_cast<std::ptrdiff_t>(which));
+    spoilt.nodes.erase(spoilt.nodes.begin() + static_cast<std::ptrdiff_t>(which));
     EXPECT_NE(flaw(spoilt), "");
-    if (certificate.records.size() == 1) continue;
+    if (certificate.nodes.size() == 1) continue;
     spoilt = certificate;
-    std::swap(spoilt.records[which].contact, spoilt.records[which].separated);
+    std::swap(spoilt.nodes[which].contact, spoilt.nodes[which].separated);
     EXPECT_NE(flaw(spoilt), "");
   }
 }

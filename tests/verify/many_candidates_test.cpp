@@ -83,10 +83,10 @@ TEST(CertificateOfManyCandidates, ReportsAnInvalidSet) {
       {second, "block 1ff000000000000000\n", "in the blocks, but {b-c9} are"},
       {second, "block 3ef000000000000000\n", "in the blocks, but {b-c4} are"},
       {first, "block 1fffffffffffffff\n", "block 3ff000000000000000"},
-      {"nodes\n", "nodes\nmarginal 2 400000000000000000 0\n", "expected two disjoint sets"},
-      {"nodes\n", "nodes\nmarginal 2 200000000000000000 200000000000000000\n",
+      {"evidence\n", "evidence\nmarginal 2 400000000000000000 0\n", "expected two disjoint sets"},
+      {"evidence\n", "evidence\nmarginal 2 200000000000000000 200000000000000000\n",
        "expected two disjoint sets"},
-      {"nodes\n", "nodes\nmarginal 1 0 200000000000000000\n", "expected two disjoint sets"},
+      {"evidence\n", "evidence\nmarginal 1 0 200000000000000000\n", "expected two disjoint sets"},
   };
   for (const auto& [what, with, said] : table) {
     auto wrong = text;

@@ -130,7 +130,7 @@ TEST(Proof, AcceptsBadlyScaledProblems) {
 // One candidate, K = [2 1; 1 2]; without friction it cannot wedge.
 Draft frictionless() {
   Draft draft;
-  draft.header = {"kusabi certificate 2\n",
+  draft.header = {"kusabi certificate 5 contact\n",
                   "dimension 2\n",
                   "candidates 1\n",
                   "name a\n",
@@ -140,9 +140,9 @@ Draft frictionless() {
                   "stiffness\n",
                   "0x1p+1\n",
                   "0x1p+0 0x1p+1\n",
-                  "nodes\n"};
+                  "motions 0\n"};
   // Contact: u_n = 0, and r_t = 2 u_t = 0 implies r_n = u_t = 0. With multiplier -1, w = (-2, 1)/3.
-  draft.nodes = {"dead 1 1 0 -0x1p+0\n", "dead 1 0 1 0x0p+0\n"};
+  draft.nodes = {"infeasible 1 1 0 -0x1p+0\n", "infeasible 1 0 1 0x0p+0\n"};
   return draft;
 }
 
@@ -150,15 +150,15 @@ TEST(Proof, AcceptsZeroFriction) {
   EXPECT_THAT(verdict(frictionless().text()).refusals, IsEmpty());
   EXPECT_EQ(verdict(frictionless().text()).infeasible, 2U);
   auto turned = frictionless();
-  turned.nodes[0] = "dead 1 1 0 0x1p+0\n";
+  turned.nodes[0] = "infeasible 1 1 0 0x1p+0\n";
   EXPECT_THAT(verdict(turned.text()).refusals,
               testing::ElementsAre(HasSubstr("do not rule out a reaction at a")));
   auto slipping = frictionless();
-  slipping.nodes[0] = "alive 1 1 0 0x1p+0\n";
+  slipping.nodes[0] = "wedged 1 1 0 0x1p+0\n";
   EXPECT_THAT(verdict(slipping.text()).refusals,
               testing::ElementsAre(HasSubstr("a has no friction, but a tangential reaction")));
   auto still = frictionless();
-  still.nodes[0] = "alive 1 1 0 0x0p+0\n";
+  still.nodes[0] = "wedged 1 1 0 0x0p+0\n";
   EXPECT_THAT(verdict(still.text()).refusals,
               testing::ElementsAre(HasSubstr("a is not pressed against the obstacle")));
 }
@@ -176,10 +176,11 @@ TEST(Proof, IsValidForEveryStiffnessWithinTheRadius) {
     const Proof proof(certificate, stiffness);
     EXPECT_TRUE(proof.min_eigenvalue());
     EXPECT_LE(proof.min_eigenvalue()->nearest(), 1 - radius);
-    return proof.proof_result(certificate.records[0]).refusal.has_value();
+    if (!certificate.states.empty()) return proof.refusal(certificate.states[0]).has_value();
+    return proof.proof_result(certificate.nodes[0]).refusal.has_value();
   };
-  const std::string feasible = "alive 1 1 0 0x1p+1\n";
-  const std::string infeasible = "dead 1 1 0 -0x1p+0\n";
+  const std::string feasible = "wedged 1 1 0 0x1p+1\n";
+  const std::string infeasible = "infeasible 1 1 0 -0x1p+0\n";
   for (const double near : {1e-3, 1e-9}) {
     EXPECT_FALSE(refused(2 + near, feasible, 0));
     EXPECT_FALSE(refused(2 + near, feasible, near / 100));
@@ -218,9 +219,9 @@ TEST(Proof, RefusesANodeWithItsSetsExchanged) {
   for (auto& node : draft.nodes) {
     const auto original = node;
     auto parts = words(node);
-    if (parts[0] != "dead") continue;
+    if (parts[0] != "infeasible") continue;
     ++count;
-    std::swap(parts[1], parts[2]);
+    std::swap(parts[2], parts[3]);
     node = line(parts);
     EXPECT_FALSE(verdict(draft.text()).proved()) << original;
     node = original;
@@ -278,13 +279,13 @@ TEST(Proof, RefusesAlteredMultipliers) {
   int count = 0;
   for (auto& node : draft.nodes) {
     auto parts = words(node);
-    if (parts[0] != "dead" || parts[2] == "3ff") continue;
+    if (parts[0] != "infeasible" || parts[3] == "3ff") continue;
     ++count;
     const auto original = node;
-    for (std::size_t i = 3; i < parts.size(); ++i) parts[i] = turned(parts[i]);
+    for (std::size_t i = 4; i < parts.size(); ++i) parts[i] = turned(parts[i]);
     node = line(parts);
     EXPECT_THAT(verdict(draft.text()).refusals, testing::SizeIs(1)) << original;
-    for (std::size_t i = 3; i < parts.size(); ++i) parts[i] = "0x0p+0";
+    for (std::size_t i = 4; i < parts.size(); ++i) parts[i] = "0x0p+0";
     node = line(parts);
     EXPECT_THAT(verdict(draft.text()).refusals,
                 testing::ElementsAre(HasSubstr("do not rule out a reaction at")));
@@ -297,7 +298,7 @@ TEST(Proof, RefusesAlteredMultipliers) {
 TEST(Proof, RefusesMultipliersOfTheWrongSign) {
   auto draft = searched(example("two-bars.toml"), 1.0);
   // K = [2 1; 1 2], and without contact only u_n >= 0: no positive multiplier can help.
-  draft.nodes = {"dead 0 0 -0x1p+0\n"};
+  draft.nodes = {"infeasible 1 0 0 -0x1p+0\n"};
   EXPECT_THAT(
       verdict(draft.text()).refusals,
       testing::ElementsAre(HasSubstr("margin of its multipliers is within the rounding errors")));
@@ -308,14 +309,14 @@ TEST(Proof, RefusesAlteredReactions) {
   int count = 0;
   for (auto& node : draft.nodes) {
     auto parts = words(node);
-    if (parts[0] != "alive") continue;
+    if (parts[0] != "wedged") continue;
     ++count;
     const auto original = node;
-    for (std::size_t i = 3; i < parts.size(); ++i) parts[i] = turned(parts[i]);
+    for (std::size_t i = 4; i < parts.size(); ++i) parts[i] = turned(parts[i]);
     node = line(parts);
     EXPECT_THAT(verdict(draft.text()).refusals,
                 testing::ElementsAre(AnyOf(HasSubstr("is not pressed"), HasSubstr("separate"))));
-    for (std::size_t i = 3; i < parts.size(); ++i) parts[i] = "0x0p+0";
+    for (std::size_t i = 4; i < parts.size(); ++i) parts[i] = "0x0p+0";
     node = line(parts);
     EXPECT_THAT(verdict(draft.text()).refusals,
                 testing::ElementsAre(AnyOf(HasSubstr("is not pressed"), HasSubstr("separate"))));
@@ -332,13 +333,13 @@ TEST(Proof, RefusesAnInfeasibleLeafClaimedFeasible) {
   int leaves = 0;
   for (auto& node : draft.nodes) {
     const auto parts = words(node);
-    const auto contact = std::stoull(parts[1], nullptr, 16);
-    const auto separated = std::stoull(parts[2], nullptr, 16);
-    if (parts[0] != "dead" || (contact | separated) != 1023) continue;
+    const auto contact = std::stoull(parts[2], nullptr, 16);
+    const auto separated = std::stoull(parts[3], nullptr, 16);
+    if (parts[0] != "infeasible" || (contact | separated) != 1023) continue;
     ++leaves;
     const auto original = node;
     for (int trial = 0; trial < 3; ++trial) {
-      node = fmt::format("alive {} {}", parts[1], parts[2]);
+      node = fmt::format("wedged 1 {} {}", parts[2], parts[3]);
       for (auto rest = contact; rest != 0; rest &= rest - 1) {
         node += fmt::format(" {:a} {:a}", normal(generator), normal(generator));
       }
@@ -357,11 +358,11 @@ TEST(Proof, RefusesAFeasibleLeafClaimedInfeasible) {
   int count = 0;
   for (auto& node : draft.nodes) {
     const auto parts = words(node);
-    if (parts[0] != "alive") continue;
+    if (parts[0] != "wedged") continue;
     ++count;
     const auto original = node;
     for (int trial = 0; trial < 3; ++trial) {
-      node = fmt::format("dead {} {}", parts[1], parts[2]);
+      node = fmt::format("infeasible 1 {} {}", parts[2], parts[3]);
       for (int i = 0; i < 10; ++i) node += fmt::format(" {:a}", normal(generator));
       node += "\n";
       EXPECT_THAT(verdict(draft.text()).refusals, testing::SizeIs(1)) << original;
@@ -373,17 +374,17 @@ TEST(Proof, RefusesAFeasibleLeafClaimedInfeasible) {
 
 TEST(Proof, RefusesTwoClaimsOfOneNode) {
   auto draft = truss();
-  const auto parts = words(draft.nodes[first_of(draft, "alive")]);
-  draft.nodes.push_back(fmt::format("marginal {} {}\n", parts[1], parts[2]));
+  const auto parts = words(draft.nodes[first_of(draft, "wedged")]);
+  draft.nodes.push_back(fmt::format("marginal 1 {} {}\n", parts[2], parts[3]));
   EXPECT_THAT(verdict(draft.text()).refusals,
               testing::ElementsAre(HasSubstr("says marginal of contact")));
 }
 
 TEST(Proof, ReportsAMarginalNodeAsUndecided) {
   auto draft = truss();
-  auto& node = draft.nodes[first_of(draft, "alive")];
+  auto& node = draft.nodes[first_of(draft, "wedged")];
   const auto parts = words(node);
-  node = fmt::format("marginal {} {}\n", parts[1], parts[2]);
+  node = fmt::format("marginal 1 {} {}\n", parts[2], parts[3]);
   const auto said = verdict(draft.text());
   EXPECT_TRUE(said.proved());
   EXPECT_EQ(said.marginal, 1U);
@@ -396,15 +397,15 @@ TEST(Proof, RefusesNumbersOutOfRange) {
     auto& node = draft.nodes[first_of(draft, claim)];
     const auto original = node;
     auto parts = words(node);
-    for (std::size_t i = 3; i < parts.size(); ++i) parts[i] = number;
+    for (std::size_t i = 4; i < parts.size(); ++i) parts[i] = number;
     node = line(parts);
     EXPECT_THAT(verdict(draft.text()).refusals, testing::SizeIs(1)) << claim << number;
     node = original;
   };
   for (const auto* number : {"0x1.fffffffffffffp+1023", "-0x1.fffffffffffffp+1023",
                              "0x0.0000000000001p-1022", "-0x0.0000000000001p-1022"}) {
-    spoil("alive", number);
-    spoil("dead", number);
+    spoil("wedged", number);
+    spoil("infeasible", number);
   }
 }
 

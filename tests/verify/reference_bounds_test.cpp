@@ -47,6 +47,7 @@ Case read_case(const Json& json) {
   for (std::size_t i = 0; i < m; ++i) certificate.names.push_back("c" + std::to_string(i));
   certificate.friction.assign(m, json["friction"].get<double>());
   certificate.blocks = {certificate.all_candidates()};
+  certificate.theorems.resize(1);
   for (const auto& each : json["bounds"]) {
     certificate.bounds.push_back({.candidate = each["candidate"],
                                   .side = side_of(each["side"]),
@@ -55,10 +56,10 @@ Case read_case(const Json& json) {
     result.alone.push_back(each["alone"]);
   }
   for (const auto& each : json["cuts"]) {
-    certificate.records.push_back({.claim = Claim::cut,
-                                   .contact = set_of(each["contact"]),
-                                   .separated = set_of(each["separated"]),
-                                   .numbers = each["numbers"]});
+    certificate.nodes.push_back({.claim = Claim::cut,
+                                 .contact = set_of(each["contact"]),
+                                 .separated = set_of(each["separated"]),
+                                 .numbers = each["numbers"]});
   }
   result.greatest = json["greatest"];
   return result;
@@ -118,8 +119,8 @@ TEST(ReferenceBounds, AreProvedAndValid) {
         EXPECT_GE(*bound.maximum, *truth - accuracy);
       }
     }
-    for (const auto& record : problem.certificate.records)
-      EXPECT_EQ(proof.proof_result(record).refusal, std::nullopt);
+    for (const auto& node : problem.certificate.nodes)
+      EXPECT_EQ(proof.proof_result(node).refusal, std::nullopt);
   }
 }
 
@@ -202,19 +203,19 @@ TEST(ReferenceBounds, ThatNeedOthersAreRefusedBeforeThem) {
 
 TEST(ReferenceBounds, AreRequiredToProveNodesByCuts) {
   for (const auto& problem : cases()) {
-    ASSERT_FALSE(problem.certificate.records.empty());
+    ASSERT_FALSE(problem.certificate.nodes.empty());
     const Proof none(problem.certificate);
     Proof all(problem.certificate);
     for (const auto& bound : problem.certificate.bounds)
       ASSERT_EQ(all.add_bound(bound), std::nullopt);
-    for (auto record : problem.certificate.records) {
-      EXPECT_TRUE(none.proof_result(record).refusal);
-      auto negative = record;
+    for (auto node : problem.certificate.nodes) {
+      EXPECT_TRUE(none.proof_result(node).refusal);
+      auto negative = node;
       for (auto& number : negative.numbers) number = -number;
       EXPECT_TRUE(all.proof_result(negative).refusal);
-      record.claim = Claim::infeasible;
-      record.numbers.resize(problem.certificate.candidates());
-      EXPECT_TRUE(all.proof_result(record).refusal);
+      node.claim = Claim::infeasible;
+      node.numbers.resize(problem.certificate.candidates());
+      EXPECT_TRUE(all.proof_result(node).refusal);
     }
   }
 }

@@ -134,18 +134,17 @@ TEST(RoundedNormals, AdmitNoProofOfInfeasibilityOfAWedgedNode) {
       std::get<ConsistentStructure>(consistency(certificate, evidence::verified_structure(body)));
   const Proof proof(certificate, agreed.stiffness, agreed.motions);
   std::size_t tried = 0;
-  for (const auto& leaf : certificate.records) {
-    if (leaf.claim != Claim::feasible) continue;
-    for (auto record : certificate.records) {
-      if (record.claim != Claim::infeasible) continue;
-      record.contact = leaf.contact;
-      record.separated = leaf.separated;
+  for (const auto& leaf : certificate.states) {
+    for (auto node : certificate.nodes) {
+      if (node.claim != Claim::infeasible) continue;
+      node.contact = leaf.contact;
+      node.separated = leaf.separated;
       for (int candidate = 0; candidate < 10; candidate += 3) {
-        EXPECT_TRUE(proof.proof_result(record).refusal.has_value());
+        EXPECT_TRUE(proof.proof_result(node).refusal.has_value());
         ++tried;
         const auto one = support::IndexSet::single(candidate);
-        record.contact -= one;
-        record.separated -= one;
+        node.contact -= one;
+        node.separated -= one;
       }
     }
   }
@@ -166,8 +165,8 @@ TEST(RoundedNormals, OfAConeAdmitAProofThatAPlugWedges) {
   const auto agreed = std::get<ConsistentStructure>(consistency(certificate, own));
   const auto refused = [&] {
     const Proof proof(certificate, agreed.stiffness, agreed.motions);
-    for (const auto& record : certificate.records) {
-      if (record.claim == Claim::feasible && !proof.proof_result(record).refusal) return false;
+    for (const auto& state : certificate.states) {
+      if (!proof.refusal(state)) return false;
     }
     return true;
   };
@@ -175,8 +174,8 @@ TEST(RoundedNormals, OfAConeAdmitAProofThatAPlugWedges) {
   for (auto& friction : certificate.friction) friction = 0.026;  // tan 1.5 degrees is 0.02618
   EXPECT_TRUE(refused());
   for (auto& friction : certificate.friction) friction = 0.03;
-  for (auto& record : certificate.records) {
-    for (auto& number : record.numbers) number = -number;
+  for (auto& state : certificate.states) {
+    for (auto& number : state.numbers) number = -number;
   }
   EXPECT_TRUE(refused());
 }

@@ -38,9 +38,27 @@ std::string misspelt(std::string text, std::size_t begin, std::size_t size,
   return sealed(text);
 }
 
+std::vector<std::string> Draft::before_nodes() const {
+  auto lines = header;
+  const auto blocks =
+      std::ranges::count_if(header, [](const auto& line) { return line.starts_with("block "); });
+  lines.emplace_back("loads 0\n");
+  lines.push_back(fmt::format("theorems {}\n", blocks));
+  for (std::ptrdiff_t block = 1; block <= blocks; ++block)
+    lines.push_back(fmt::format("none {} 0\n", block));
+  lines.push_back(fmt::format("bounds {}\n", bounds.size()));
+  lines.insert(lines.end(), bounds.begin(), bounds.end());
+  lines.emplace_back("evidence\n");
+  return lines;
+}
+
+std::size_t Draft::lines_before_nodes() const {
+  return before_nodes().size();
+}
+
 std::string Draft::text() const {
   std::string body;
-  for (const auto& line : header) body += line;
+  for (const auto& line : before_nodes()) body += line;
   for (const auto& line : nodes) body += line;
   return sealed(body + fmt::format("end {}\n", nodes.size()));
 }
@@ -64,10 +82,10 @@ std::string listed(const Numbers& numbers) {
 
 std::string node_line(const wedged::Evidence& evidence) {
   using Kind = wedged::Evidence::Kind;
-  const auto* const kind = evidence.kind == Kind::infeasible ? "dead"
-                           : evidence.kind == Kind::feasible ? "alive"
+  const auto* const kind = evidence.kind == Kind::infeasible ? "infeasible"
+                           : evidence.kind == Kind::feasible ? "wedged"
                                                              : "marginal";
-  return fmt::format("{} {} {}{}\n", kind, hexadecimal(evidence.node.contact),
+  return fmt::format("{} 1 {} {}{}\n", kind, hexadecimal(evidence.node.contact),
                      hexadecimal(evidence.node.separated), listed(evidence.numbers));
 }
 
@@ -90,7 +108,7 @@ void expect_same_stiffness(const problems::Structure& structure) {
 std::string written(const problems::WedgedProblem& problem, double mu) {
   auto friction = problem.friction;
   for (double& factor : friction) factor *= mu;
-  std::string text = run::certificate_header(problem, friction);
+  std::string text = run::certificate_header(problem, friction, run::list_theorems(problem));
   std::size_t count = 0;
   wedged::SignPatternTree tree(problem, friction, {.tolerances = {}, .thorough = true});
   tree.report_to([&](const auto& evidence) {
@@ -105,19 +123,22 @@ Draft searched(const problems::WedgedProblem& problem, double friction) {
   const auto m = problem.contact_names.size();
   const std::vector<double> everywhere(m, friction);
   Draft draft;
-  draft.header = {"kusabi certificate 1\n", fmt::format("dimension {}\n", problem.dimension),
+  draft.header = {"kusabi certificate 5 contact\n",
+                  fmt::format("dimension {}\n", problem.dimension),
                   fmt::format("candidates {}\n", m)};
   for (const auto& name : problem.contact_names) {
     draft.header.push_back(fmt::format("name {}\n", on_one_line(name)));
   }
   draft.header.push_back("friction" + listed(everywhere) + "\n");
+  draft.header.emplace_back("blocks 1\n");
+  const auto everything = IndexSet::below(static_cast<int>(m));
+  draft.header.push_back(fmt::format("block {}\n", hexadecimal(everything)));
   draft.header.emplace_back("stiffness\n");
   for (Eigen::Index i = 0; i < problem.compliance.stiffness.rows(); ++i) {
     const Eigen::VectorXd row = problem.compliance.stiffness.row(i).head(i + 1);
     draft.header.push_back(listed(row).substr(1) + "\n");
   }
-  draft.header.emplace_back("nodes\n");
-  // Version 1 has no blocks.
+  draft.header.emplace_back("motions 0\n");
   auto whole = problem;
   whole.blocks.clear();
   wedged::SignPatternTree tree(whole, everywhere, {.tolerances = {}, .thorough = true});
@@ -138,7 +159,8 @@ Draft in_blocks(const Draft& first, const Draft& second) {
   const auto m = candidates(first);
   const auto n = candidates(second);
   Draft both;
-  both.header = {"kusabi certificate 2\n", first.header[1], fmt::format("candidates {}\n", m + n)};
+  both.header = {"kusabi certificate 5 contact\n", first.header[1],
+                 fmt::format("candidates {}\n", m + n)};
   for (std::size_t i = 0; i < m; ++i)
     both.header.push_back("name a-" + first.header[3 + i].substr(5));
   for (std::size_t i = 0; i < n; ++i)
@@ -151,20 +173,21 @@ Draft in_blocks(const Draft& first, const Draft& second) {
   both.header.push_back(fmt::format("block {}\n", hexadecimal(all_of_first)));
   if (n > 0) both.header.push_back(fmt::format("block {}\n", hexadecimal(all - all_of_first)));
   both.header.emplace_back("stiffness\n");
-  const auto nodes_line = std::string("nodes\n");
+  const auto end_of_rows = std::string("motions 0\n");
   std::size_t rows = 0;
-  for (auto line = after(first, "stiffness") + 1; *line != nodes_line; ++line, ++rows) {
+  for (auto line = after(first, "stiffness") + 1; *line != end_of_rows; ++line, ++rows) {
     both.header.push_back(*line);
   }
   std::string zeros;
   for (std::size_t i = 0; i < rows; ++i) zeros += "0x0p+0 ";
-  for (auto line = after(second, "stiffness") + 1; n > 0 && *line != nodes_line; ++line) {
+  for (auto line = after(second, "stiffness") + 1; n > 0 && *line != end_of_rows; ++line) {
     both.header.push_back(zeros + *line);
   }
-  both.header.push_back(nodes_line);
+  both.header.push_back(end_of_rows);
   const auto add = [&](const Draft& draft, int block, int shift) {
     for (const auto& line : draft.nodes) {
-      const auto sets = line.find(' ') + 1;
+      const auto theorem = line.find(' ') + 1;
+      const auto sets = line.find(' ', theorem) + 1;
       const auto second_set = line.find(' ', sets) + 1;
       const auto rest = line.find_first_of(" \n", second_set);
       const auto moved = [&](std::size_t from, std::size_t to) {
@@ -173,7 +196,7 @@ Draft in_blocks(const Draft& first, const Draft& second) {
           set.insert(i + shift);
         return hexadecimal(set);
       };
-      both.nodes.push_back(fmt::format("{}{} {} {}{}", line.substr(0, sets), block,
+      both.nodes.push_back(fmt::format("{}{} {} {}{}", line.substr(0, theorem), block,
                                        moved(sets, second_set - 1), moved(second_set, rest),
                                        line.substr(rest)));
     }
@@ -211,19 +234,25 @@ Verdict verdict(const std::string& text, const Structure* structure) {
       ++result.bounds;
     }
   }
-  for (const auto& record : certificate.records) {
-    const auto proof_result = proof.proof_result(record);
+  for (const auto& node : certificate.nodes) {
+    const auto proof_result = proof.proof_result(node);
     if (proof_result.except_large_displacements) ++result.except_large_displacements;
     if (proof_result.unloaded) ++result.unloaded;
     if (proof_result.refusal) {
       result.refusals.push_back(*proof_result.refusal);
-    } else if (record.claim == Claim::feasible) {
-      result.feasible.insert(record.contact);
     } else {
-      ++(record.claim == Claim::none ? result.marginal : result.infeasible);
+      ++(node.claim == Claim::none ? result.marginal : result.infeasible);
     }
   }
-  if (auto flaw = flaw_of_cover(certificate)) result.refusals.push_back(*flaw);
+  for (const auto& state : certificate.states) {
+    if (auto why = proof.refusal(state))
+      result.refusals.push_back(*why);
+    else
+      result.feasible.insert(state.contact);
+  }
+  for (std::size_t theorem = 0; theorem < certificate.theorems.size(); ++theorem) {
+    if (auto flaw = flaw_of_cover(certificate, theorem)) result.refusals.push_back(*flaw);
+  }
   return result;
 }
 

@@ -15,13 +15,19 @@
 
 namespace kusabi::verify {
 
-/// The lines of a certificate up to "end", each with its line feed.
+/// The lines of a certificate of a list of patterns, each with its line feed.
 struct Draft {
-  std::vector<std::string> header;  ///< up to the line "nodes"
-  std::vector<std::string> nodes;
+  std::vector<std::string> header;  ///< up to the modes
+  std::vector<std::string> bounds;
+  std::vector<std::string> nodes;  ///< of the theorem of each block, and wedged configurations
 
-  /// The certificate, with the right count and the right digest.
+  /// The certificate, with the right counts and the right digest.
   [[nodiscard]] std::string text() const;
+  /// Lines up to the first node.
+  [[nodiscard]] std::size_t lines_before_nodes() const;
+
+ private:
+  [[nodiscard]] std::vector<std::string> before_nodes() const;
 };
 
 /// `text` up to its digest, followed by the right one.
@@ -43,10 +49,10 @@ void expect_same_stiffness(const problems::Structure& structure);
 /// The certificate as written by `kusabi patterns --certificate`, also for unconstrained bodies.
 std::string written(const problems::WedgedProblem& problem, double mu);
 
-/// Result of a search on one rank as a certificate of version 1.
+/// Result of a search on one rank as a certificate with one block.
 Draft searched(const problems::WedgedProblem& problem, double friction);
 
-/// Two drafts of one dimension as the two blocks of a certificate of version 2.
+/// Two drafts of one dimension as the two blocks of a certificate.
 Draft in_blocks(const Draft& first, const Draft& second);
 
 /// Verdict on a certificate: refusals of bounds, of nodes, of the cover, of K.

@@ -118,15 +118,15 @@ TEST(SeveralNormals, HaveCertificatesThatAreRefusedIfFalsified) {
     std::size_t tried = 0;
     for (std::size_t i = 0; i < draft.nodes.size(); ++i) {
       const auto& line = draft.nodes[i];
-      if (line.starts_with("alive")) {
-        EXPECT_TRUE(refused(i, "dead" + line.substr(5)));
+      if (line.starts_with("wedged")) {
+        EXPECT_TRUE(refused(i, "infeasible" + line.substr(6)));
         const auto last = line.rfind(' ') + 1;
         const bool negative = line[last] == '-';
         EXPECT_TRUE(refused(i, line.substr(0, last) +
                                    (negative ? line.substr(last + 1) : "-" + line.substr(last))));
         ++leaves;
-      } else if (line.starts_with("dead") && ++tried < 4) {
-        EXPECT_TRUE(refused(i, "alive" + line.substr(4)));
+      } else if (line.starts_with("infeasible") && ++tried < 4) {
+        EXPECT_TRUE(refused(i, "wedged" + line.substr(10)));
         ++infeasible_nodes;
       }
     }

@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "searched.hpp"
-
 namespace kusabi::verify {
 
 std::string numbers(const std::vector<double>& list) {
@@ -14,21 +12,11 @@ std::string numbers(const std::vector<double>& list) {
   return text + "\n";
 }
 
-std::string BoundsDraft::text() const {
-  Draft draft;
-  draft.header = header;
-  draft.header.push_back(fmt::format("bounds {}\n", bounds.size()));
-  draft.header.insert(draft.header.end(), bounds.begin(), bounds.end());
-  draft.header.emplace_back("nodes\n");
-  draft.nodes = nodes;
-  return draft.text();
-}
-
-BoundsDraft two_candidates(double mu, int dimension) {
+Draft two_candidates(double mu, int dimension) {
   const std::vector<std::vector<double>> plane = {
       {2, 0, -1, 1}, {0, 1, 0, 0}, {-1, 0, 2, -1}, {1, 0, -1, 1}};
-  BoundsDraft draft;
-  draft.header = {"kusabi certificate 4\n",
+  Draft draft;
+  draft.header = {"kusabi certificate 5 contact\n",
                   fmt::format("dimension {}\n", dimension),
                   "candidates 2\n",
                   "name a\n",
@@ -55,8 +43,8 @@ BoundsDraft two_candidates(double mu, int dimension) {
                   "bound 1 0 separated" + numbers({1.25, 1, 1, 0, 0, 1})};
   std::vector<double> reactions(static_cast<std::size_t>(dimension - 1), 0);
   reactions[0] = -1;
-  draft.nodes = {"cut 1 1 0" + numbers({-4, -4, 0, 1}), "alive 1 2 1" + numbers(reactions),
-                 "dead 1 0 3" + numbers({0, 0})};
+  draft.nodes = {"cut 1 1 0" + numbers({-4, -4, 0, 1}), "wedged 1 2 1" + numbers(reactions),
+                 "infeasible 1 0 3" + numbers({0, 0})};
   return draft;
 }
 

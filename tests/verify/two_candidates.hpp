@@ -4,19 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "searched.hpp"
+
 namespace kusabi::verify {
 
 /// Text of numbers as " 0x1p+0 …\n".
 std::string numbers(const std::vector<double>& list);
-
-/// A certificate of version 4 in parts.
-struct BoundsDraft {
-  std::vector<std::string> header;  ///< up to the motions
-  std::vector<std::string> bounds;
-  std::vector<std::string> nodes;
-
-  [[nodiscard]] std::string text() const;
-};
 
 /// Two candidates a and b with
 ///
@@ -25,6 +18,6 @@ struct BoundsDraft {
 /// all other tangents being springs of stiffness 1. In contact a has r_na = r_tb, so u_nb >= r_nb;
 /// one of them is zero, and so all is. b in contact has r_tb = -r_nb, and opens a by r_nb: a
 /// pattern if mu > 1, which is proved by means of three bounds.
-BoundsDraft two_candidates(double mu, int dimension = 2);
+Draft two_candidates(double mu, int dimension = 2);
 
 }  // namespace kusabi::verify

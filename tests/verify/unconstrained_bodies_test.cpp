@@ -57,7 +57,7 @@ struct BarBetweenWalls {
   [[nodiscard]] Draft draft(double mu, const std::vector<std::string>& nodes) const {
     const std::array stretch{-c, -s, -c, s};
     Draft draft;
-    draft.header = {"kusabi certificate 3\n",
+    draft.header = {"kusabi certificate 5 contact\n",
                     "dimension 2\n",
                     "candidates 2\n",
                     "name a\n",
@@ -75,7 +75,6 @@ struct BarBetweenWalls {
     draft.header.emplace_back("motions 3\n");
     for (const auto& row : {std::array{c, s, -s}, {s, -c, c}, {-c, s, s}, {s, c, c}})
       draft.header.push_back(fmt::format("{:a} {:a} {:a}\n", row[0], row[1], row[2]));
-    draft.header.emplace_back("nodes\n");
     draft.nodes = nodes;
     return draft;
   }
@@ -92,8 +91,9 @@ constexpr BarBetweenWalls groove{0.6, 0.8};  // wedges from mu = 4/3
 // The reaction of a single candidate is not in equilibrium: a displacement along its normal proves
 // it.
 std::vector<std::string> wedged_nodes() {
-  return {node("alive 1 3 0", {0.8, -0.8, 0, 0, 0}), node("dead 1 0 1", {0, 0, 0.6, -0.8, 0}),
-          node("dead 1 1 2", {0, 0, -0.6, -0.8, 0})};
+  return {node("wedged 1 3 0", {0.8, -0.8, 0, 0, 0}),
+          node("infeasible 1 0 1", {0, 0, 0.6, -0.8, 0}),
+          node("infeasible 1 1 2", {0, 0, -0.6, -0.8, 0})};
 }
 
 void expect_proved(const Draft& draft, const Structure& structure, std::size_t feasible) {
@@ -116,10 +116,10 @@ TEST(UnconstrainedBar, WedgesInAGrooveAboveTheTangentOfItsHalfAngle) {
 }
 
 TEST(UnconstrainedBar, DoesNotWedgeInAGrooveBelowTheTangentOfItsHalfAngle) {
-  const auto up = std::vector{node("dead 1 0 0", {0, 0, 0, -1, 0})};
+  const auto up = std::vector{node("infeasible 1 0 0", {0, 0, 0, -1, 0})};
   expect_proved(groove.draft(1.333, up), groove.structure(), 0);
   expect_refused(groove.draft(1.334, up), groove.structure(), "do not rule out");
-  const auto down = std::vector{node("dead 1 0 0", {0, 0, 0, 1, 0})};
+  const auto down = std::vector{node("infeasible 1 0 0", {0, 0, 0, 1, 0})};
   expect_refused(groove.draft(1.333, down), groove.structure(), "do not rule out");
 }
 
@@ -132,9 +132,9 @@ TEST(UnconstrainedBar, IsProvedForNormalsOfIrrationalLength) {
     structure.contact[0].normal = {c, s, 0};
     structure.contact[1].normal = {-c, s, 0};
     auto nodes = wedged_nodes();
-    nodes[0] = node("alive 1 3 0", {bar.s, -bar.s, 0, 0, 0});
-    nodes[1] = node("dead 1 0 1", {0, 0, bar.c, -bar.s, 0});
-    nodes[2] = node("dead 1 1 2", {0, 0, -bar.c, -bar.s, 0});
+    nodes[0] = node("wedged 1 3 0", {bar.s, -bar.s, 0, 0, 0});
+    nodes[1] = node("infeasible 1 0 1", {0, 0, bar.c, -bar.s, 0});
+    nodes[2] = node("infeasible 1 1 2", {0, 0, -bar.c, -bar.s, 0});
     EXPECT_THAT(verdict(bar.draft(s / c * 1.001, nodes).text(), &structure).refusals, IsEmpty());
     EXPECT_THAT(verdict(bar.draft(s / c * 0.999, nodes).text(), &structure).refusals,
                 Contains(HasSubstr("slips")));
@@ -145,8 +145,9 @@ TEST(UnconstrainedBar, IsProvedForNormalsOfIrrationalLength) {
 TEST(UnconstrainedBar, BetweenParallelWallsNeedsMultipliersInEquilibrium) {
   const BarBetweenWalls walls{1, 0};
   const auto nodes = [](double first, double second) {
-    return std::vector{node("dead 1 3 0", {first, second, 0, 0, 0}),
-                       node("dead 1 0 1", {0, 0, 1, 0, 0}), node("dead 1 1 2", {0, 0, -1, 0, 0})};
+    return std::vector{node("infeasible 1 3 0", {first, second, 0, 0, 0}),
+                       node("infeasible 1 0 1", {0, 0, 1, 0, 0}),
+                       node("infeasible 1 1 2", {0, 0, -1, 0, 0})};
   };
   expect_proved(walls.draft(5, nodes(-1, -1)), walls.structure(), 0);
   // The nearest multipliers in equilibrium push, or are zero.
@@ -155,7 +156,7 @@ TEST(UnconstrainedBar, BetweenParallelWallsNeedsMultipliersInEquilibrium) {
   expect_refused(walls.draft(5, nodes(0, 0)), walls.structure(), "do not rule out");
   // Multipliers outside U must not be negative.
   auto inner = nodes(-1, -1);
-  inner[0] = node("dead 1 1 0", {-1, -1, 0, 0, 0});
+  inner[0] = node("infeasible 1 1 0", {-1, -1, 0, 0, 0});
   expect_refused(walls.draft(5, inner), walls.structure(), "do not rule out");
 }
 
@@ -164,31 +165,30 @@ TEST(UnconstrainedBar, BetweenParallelWallsNeedsMultipliersInEquilibrium) {
 TEST(UnconstrainedBar, BetweenNearlyParallelWallsIsInfeasibleExceptForLargeDisplacements) {
   const auto said = [](double lean, const std::string& first) {
     const auto structure = BarBetweenWalls{1, lean}.structure();
-    const std::vector nodes{first, node("dead 1 0 1", {0, 0, 1, 0, 0}),
-                            node("dead 1 1 2", {0, 0, -1, 0, 0})};
+    const std::vector nodes{first, node("infeasible 1 0 1", {0, 0, 1, 0, 0}),
+                            node("infeasible 1 1 2", {0, 0, -1, 0, 0})};
     return verdict(BarBetweenWalls{1, lean}.draft(5, nodes).text(), &structure);
   };
-  const auto squeezed = node("dead 1 3 0", {-1, -1, 0, 0, 0});
+  const auto squeezed = node("infeasible 1 3 0", {-1, -1, 0, 0, 0});
   EXPECT_THAT(said(1e-9, squeezed).refusals, IsEmpty());
   EXPECT_EQ(said(1e-9, squeezed).except_large_displacements, 1U);
   EXPECT_THAT(said(1e-5, squeezed).refusals, Contains(HasSubstr("do not rule out")));
-  EXPECT_THAT(said(1e-5, node("alive 1 3 0", {1e-5, -1e-5, 0, 0, 0})).refusals, IsEmpty());
+  EXPECT_THAT(said(1e-5, node("wedged 1 3 0", {1e-5, -1e-5, 0, 0, 0})).refusals, IsEmpty());
 }
 
 TEST(UnconstrainedBar, IsNotProvedByAlteredForcesOrModes) {
   const auto structure = groove.structure();
   auto pulled = wedged_nodes();
-  pulled[0] = node("alive 1 3 0", {0.8, 0.8, 0, 0, 0});
+  pulled[0] = node("wedged 1 3 0", {0.8, 0.8, 0, 0, 0});
   expect_refused(groove.draft(2, pulled), structure, "not pressed");
   auto altered = groove.draft(1.4, wedged_nodes());
-  auto& row = *(altered.header.end() - 2);
+  auto& row = altered.header.back();
   row = node(fmt::format("{:a} {:a}", groove.s, groove.c), {groove.c + 1e-3});
   EXPECT_THAT(verdict(altered.text(), &structure).refusals,
               ElementsAre(HasSubstr("motion 3 is not a rigid-body mode of the structure")));
   auto fewer = groove.draft(1.4, {});
-  fewer.header.erase(fewer.header.end() - 6, fewer.header.end());
+  fewer.header.erase(fewer.header.end() - 5, fewer.header.end());
   fewer.header.emplace_back("motions 0\n");
-  fewer.header.emplace_back("nodes\n");
   EXPECT_THAT(
       verdict(fewer.text(), &structure).refusals,
       ElementsAre(HasSubstr("0 rigid-body modes of unconstrained bodies, the structure has 3")));
@@ -196,9 +196,9 @@ TEST(UnconstrainedBar, IsNotProvedByAlteredForcesOrModes) {
 }
 
 TEST(UnconstrainedBar, RequiresTheRightNumberOfModes) {
-  EXPECT_THROW(verdict(groove.draft(1, {node("dead 1 0 0", {0, 0, 0, -1})}).text()),
+  EXPECT_THROW(verdict(groove.draft(1, {node("infeasible 1 0 0", {0, 0, 0, -1})}).text()),
                CertificateError);
-  EXPECT_THROW(verdict(groove.draft(1, {node("alive 1 3 0", {0, 0})}).text()), CertificateError);
+  EXPECT_THROW(verdict(groove.draft(1, {node("wedged 1 3 0", {0, 0})}).text()), CertificateError);
 }
 
 problems::Structure read(const std::string& text) {
@@ -315,18 +315,17 @@ TEST(UnconstrainedTrusses, AreNotProvedInfeasibleWhereTheyWedge) {
     const auto agreed = std::get<ConsistentStructure>(
         consistency(certificate, evidence::verified_structure(truss)));
     const Proof proof(certificate, agreed.stiffness, agreed.motions);
-    for (const auto& leaf : certificate.records) {
-      if (leaf.claim != Claim::feasible) continue;
-      for (auto record : certificate.records) {
-        if (record.claim != Claim::infeasible) continue;
-        record.contact = leaf.contact;
-        record.separated = leaf.separated;
+    for (const auto& leaf : certificate.states) {
+      for (auto node : certificate.nodes) {
+        if (node.claim != Claim::infeasible) continue;
+        node.contact = leaf.contact;
+        node.separated = leaf.separated;
         for (const int candidate : certificate.all_candidates()) {
-          EXPECT_TRUE(proof.proof_result(record).refusal.has_value());
+          EXPECT_TRUE(proof.proof_result(node).refusal.has_value());
           ++tried;
           const auto one = support::IndexSet::single(candidate);
-          record.contact -= one;
-          record.separated -= one;
+          node.contact -= one;
+          node.separated -= one;
         }
       }
     }
@@ -369,12 +368,11 @@ normal = [0, 0, 1]
   const auto agreed =
       std::get<ConsistentStructure>(consistency(certificate, evidence::verified_structure(body)));
   const Proof proof(certificate, agreed.stiffness, agreed.motions);
-  for (auto& record : certificate.records) {
-    if (record.claim != Claim::feasible) continue;
-    record.claim = Claim::none;
-    EXPECT_FALSE(proof.proof_result(record).unloaded);
-    record.separated = {};  // the third has no reaction, but it is not in U
-    EXPECT_FALSE(proof.proof_result(record).unloaded);
+  for (const auto& state : certificate.states) {
+    Node node{.contact = state.contact, .separated = state.separated};
+    EXPECT_FALSE(proof.proof_result(node).unloaded);
+    node.separated = {};  // the third has no reaction, but it is not in U
+    EXPECT_FALSE(proof.proof_result(node).unloaded);
   }
 }
 

@@ -97,7 +97,7 @@ void read_names(Lines& lines, LimitCertificate& certificate) {
     lines.expect_word("name", what);
     auto& name = certificate.names[lines.below(m, what)];
     if (!name.empty() || lines.remainder().empty()) lines.refuse(what);
-    name = lines.remainder();
+    name = lines.name();
   }
 }
 
@@ -205,7 +205,7 @@ void read_case(Lines& lines, const LimitCertificate& truss,
                std::vector<LimitStatement>& statements) {
   const std::string what = "'case', and a name that no case before it has, or 'end'";
   lines.expect_word("case", what);
-  const std::string name(lines.remainder());
+  const std::string name(lines.name());
   const bool known =
       std::ranges::find(statements, name, &LimitStatement::load_case) != statements.end();
   if (known) lines.refuse(what);
@@ -237,16 +237,6 @@ std::vector<LimitStatement> read_statements(Lines& lines) {
   return statements;
 }
 
-std::vector<LimitStatement> read_first_version(Lines& lines) {
-  std::vector<LimitStatement> statements(1);
-  auto& certificate = statements.front().evidence;
-  read_truss(lines, certificate);
-  read_loads(lines, certificate, false);
-  read_evidence(lines, certificate);
-  lines.expect("end");
-  return statements;
-}
-
 }  // namespace
 
 LimitColumn::LimitColumn(const Sparse& load) : direction(load) {
@@ -268,14 +258,8 @@ std::string_view claim_word(LimitClaim claim) {
 }
 
 std::vector<LimitStatement> read_limit_certificate(std::string_view text, const std::string& file) {
-  Lines first(text, file);
-  first.next();
-  const bool with_cases = first.text() == std::string(limit_first_words) + '2';
-  if (!with_cases && first.text() != std::string(limit_first_words) + '1')
-    first.refuse("'" + std::string(limit_first_words) + "1' or 2");
-  Lines lines(without_digest(text, file), file);
-  lines.next();
-  auto statements = with_cases ? read_statements(lines) : read_first_version(lines);
+  auto lines = lines_after(limit_first_line, text, file);
+  auto statements = read_statements(lines);
   lines.expect_end();
   return statements;
 }

@@ -15,8 +15,8 @@
 
 namespace kusabi::verify {
 
-/// Beginning of the first line, which ends with the version.
-inline constexpr std::string_view limit_first_words = "kusabi limit certificate ";
+/// The first line.
+inline constexpr std::string_view limit_first_line = "kusabi certificate 5 limit";
 
 /// Indices and numbers; all others are zero.
 using Sparse = std::vector<std::pair<std::size_t, double>>;

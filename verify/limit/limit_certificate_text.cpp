@@ -122,8 +122,7 @@ void put_evidence(std::string& text, const LimitCertificate& evidence) {
 }  // namespace
 
 std::string limit_certificate_text(std::span<const LimitStatement> statements) {
-  std::string text(limit_first_words);
-  text += '2';
+  std::string text(limit_first_line);
   put_truss(text, statements.front().evidence);
   for (std::size_t first = 0; first < statements.size();) {
     put_loads(text, statements[first]);

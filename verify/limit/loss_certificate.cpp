@@ -103,7 +103,7 @@ void read_loads(Lines& lines, Structure& truss) {
       part.axis = lines.below(truss.dimension, what);
       part.weight = lines.number(what);
     }
-    truss.load_names.emplace_back(lines.remainder());
+    truss.load_names.emplace_back(lines.name());
   }
 }
 
@@ -192,17 +192,14 @@ LossStatement read_residual(Lines& lines, LossStatement statement) {
 }  // namespace
 
 std::vector<LossStatement> read_loss_certificate(std::string_view text, const std::string& file) {
-  Lines lines(without_digest(text, file), file);
-  lines.next();
-  if (lines.text() != std::string(loss_first_words) + '1')
-    lines.refuse("'" + std::string(loss_first_words) + "1'");
+  auto lines = lines_after(loss_first_line, text, file);
   const auto truss = read_truss(lines);
   std::vector<LossStatement> statements;
   lines.next();
   do {
     const std::string what = "'case', and a name that no case before it has, or 'end'";
     lines.expect_word("case", what);
-    const std::string name(lines.remainder());
+    const std::string name(lines.name());
     if (std::ranges::find(statements, name, &LossStatement::load_case) != statements.end())
       lines.refuse(what);
     LossStatement without_claim;

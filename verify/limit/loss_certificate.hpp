@@ -15,8 +15,8 @@
 
 namespace kusabi::verify {
 
-/// Beginning of the first line, which ends with the version.
-inline constexpr std::string_view loss_first_words = "kusabi loss certificate ";
+/// The first line.
+inline constexpr std::string_view loss_first_line = "kusabi certificate 5 loss";
 
 /// A claim and its evidence. All numbers are finite and all indices within range.
 struct LossStatement {

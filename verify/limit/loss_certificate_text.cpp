@@ -108,8 +108,7 @@ void put_claim(std::string& text, const LossStatement& statement) {
 }  // namespace
 
 std::string loss_certificate_text(std::span<const LossStatement> statements) {
-  std::string text(loss_first_words);
-  text += '1';
+  std::string text(loss_first_line);
   put_truss(text, statements.front().truss);
   for (const auto& statement : statements) {
     if (statement.residual) {

@@ -14,6 +14,7 @@
 #include "verify/arithmetic/exact.hpp"
 #include "verify/structure/contact_motions.hpp"
 #include "verify/structure/regularised_stiffness.hpp"
+#include "verify/wedged/certificate.hpp"
 
 namespace kusabi::verify {
 
@@ -22,15 +23,6 @@ struct BlockLoad {
   DyadicList forces;  ///< dm
   Dyadic error;       ///< bound of the Euclidean norm of their error
   Rationals work;     ///< p
-};
-
-/// A combination of the loads of a block: `dead` times the dead load and the clearances, plus
-/// `reference` times the reference load.
-struct LoadShare {
-  double dead = 0;
-  double reference = 0;
-
-  friend bool operator==(const LoadShare&, const LoadShare&) = default;
 };
 
 /// The problem of a block. Candidates are numbered within the block.

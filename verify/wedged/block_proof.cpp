@@ -32,8 +32,13 @@ Combination BlockProof::with_cuts(const IndexSet& contact, const IndexSet& separ
 }
 
 ProofResult BlockProof::prove_infeasible(const IndexSet& contact, const IndexSet& separated,
-                                         std::span<const double> numbers) const {
-  return InfeasibilityProof(model_, bounds_, without_cuts(contact, separated, numbers)).result();
+                                         std::span<const double> numbers,
+                                         std::span<const LoadShare> shares,
+                                         const std::optional<GripTerm>& grip) const {
+  auto all = without_cuts(contact, separated, numbers);
+  for (const auto& share : shares) all.loads.push_back(model_.acting(share));
+  all.grip = grip;
+  return InfeasibilityProof(model_, bounds_, std::move(all)).result();
 }
 
 ProofResult BlockProof::prove_by_cuts(const IndexSet& contact, const IndexSet& separated,
@@ -96,16 +101,6 @@ std::optional<std::string> BlockProof::refusal_of_feasible(const IndexSet& conta
                                                            std::span<const double> numbers) const {
   if (contact.empty()) return "the leaf has no candidate in contact";
   return LeafProof(model_, contact, numbers).refusal();
-}
-
-ProofResult BlockProof::prove_no_state(const IndexSet& contact, const IndexSet& separated,
-                                       std::span<const LoadShare> shares,
-                                       std::span<const double> numbers,
-                                       const std::optional<GripTerm>& grip) const {
-  auto all = without_cuts(contact, separated, numbers);
-  for (const auto& share : shares) all.loads.push_back(model_.acting(share));
-  all.grip = grip;
-  return InfeasibilityProof(model_, bounds_, std::move(all)).result();
 }
 
 std::optional<std::string> BlockProof::refusal_of_held_state(const IndexSet& contact,

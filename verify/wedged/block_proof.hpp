@@ -27,14 +27,18 @@ class BlockProof {
     return model_.min_eigenvalue();
   }
 
-  /// Proves that no configuration is wedged below the node (U, R).
+  /// Proves that below the node (U, R) there is no state under any combination of the loads with
+  /// amounts >= 0 of which one is positive; without loads, that there is no wedged configuration.
   /// @param numbers m multipliers, and p coefficients of the mean motion of w
-  /// @pre min_eigenvalue()
+  /// @param grip a restriction of the states; nothing: all states
+  /// @pre min_eigenvalue(); loads, if there are shares
   [[nodiscard]] ProofResult prove_infeasible(const support::IndexSet& contact,
                                              const support::IndexSet& separated,
-                                             std::span<const double> numbers) const;
+                                             std::span<const double> numbers,
+                                             std::span<const LoadShare> shares = {},
+                                             const std::optional<GripTerm>& grip = {}) const;
 
-  /// The same with the cuts of all added bounds.
+  /// The same without loads, with the cuts of all added bounds.
   /// @param numbers those of prove_infeasible(), then m multipliers of cuts
   /// @pre min_eigenvalue()
   [[nodiscard]] ProofResult prove_by_cuts(const support::IndexSet& contact,
@@ -68,17 +72,6 @@ class BlockProof {
   /// @pre min_eigenvalue()
   [[nodiscard]] std::optional<std::string> refusal_of_feasible(
       const support::IndexSet& contact, std::span<const double> numbers) const;
-
-  /// Proves that below the node (U, R) there is no state under any combination of the loads with
-  /// amounts >= 0 of which one is positive; without loads, that there is no wedged configuration.
-  /// @param numbers those of prove_infeasible()
-  /// @param grip a restriction of the states; nothing: all states
-  /// @pre min_eigenvalue(), loads
-  [[nodiscard]] ProofResult prove_no_state(const support::IndexSet& contact,
-                                           const support::IndexSet& separated,
-                                           std::span<const LoadShare> shares,
-                                           std::span<const double> numbers,
-                                           const std::optional<GripTerm>& grip = {}) const;
 
   /// Proves that the leaf with the contacts U has a state under a load. @return the reason if not
   /// @param numbers those of refusal_of_feasible(), with displacements that are zero along the

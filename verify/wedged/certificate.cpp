@@ -1,4 +1,5 @@
-// Reader of certificates: the header. Bounds and nodes have files of their own.
+// Reader of certificates: the problem. Theorems with their nodes, and bounds, have files of their
+// own.
 #include "verify/wedged/certificate.hpp"
 
 #include <algorithm>
@@ -12,17 +13,13 @@ namespace {
 
 // Larger counts exceed any search; K would have more than 10^8 entries.
 constexpr std::size_t max_candidates = 4096;
-constexpr std::string_view first_line = "kusabi certificate 1";
-constexpr std::string_view second_version = "kusabi certificate 2";
-constexpr std::string_view third_version = "kusabi certificate 3";
-constexpr std::string_view fourth_version = "kusabi certificate 4";
 
 void read_names(Lines& lines, std::size_t count, Certificate& certificate) {
   std::map<std::string_view, std::size_t> lines_of;  // names are views of the text
   for (std::size_t i = 0; i < count; ++i) {
     lines.next();
     lines.expect_word("name", "'name' and the name of contact candidate " + std::to_string(i + 1));
-    const auto name = lines.remainder();
+    const auto name = lines.name();
     if (name.empty()) lines.refuse("a name that is not empty");
     const auto [same, is_new] = lines_of.emplace(name, lines.number());
     if (!is_new) lines.refuse("a name other than that of line " + std::to_string(same->second));
@@ -60,8 +57,6 @@ void read_stiffness(Lines& lines, Certificate& certificate) {
     }
   }
 }
-
-}  // namespace
 
 void read_header(Lines& lines, Certificate& certificate) {
   const std::string dimension = "'dimension 2' or 'dimension 3'";
@@ -127,6 +122,45 @@ void read_motions(Lines& lines, Certificate& certificate) {
   }
 }
 
+// A line of numbers after a word.
+std::vector<double> read_list(Lines& lines, const std::string& word, std::size_t count,
+                              const std::string& what) {
+  lines.next();
+  lines.expect_word(word, "'" + word + "' and " + what);
+  std::vector<double> list;
+  lines.numbers(count, list, what);
+  return list;
+}
+
+// The line 'total P', or 'total' alone.
+void read_total(Lines& lines, Certificate& certificate) {
+  const std::string what = "'total' and a force above zero, or none";
+  lines.next();
+  lines.expect_word("total", what);
+  if (lines.remainder().empty()) return lines.end_of_line(what);
+  certificate.total = lines.number(what);
+  if (*certificate.total <= 0) lines.refuse(what);
+  if (certificate.blocks.size() != 1) lines.refuse("no total, since it is that of one block");
+  lines.end_of_line(what);
+}
+
+void read_loads(Lines& lines, Certificate& certificate) {
+  const auto count = lines.count("loads", 0, 2);
+  if (count == 0) return;
+  if (count == 1) lines.refuse("'loads 0' or 'loads 2', the dead and the reference load");
+  auto& loads = certificate.loads.emplace();
+  lines.next();
+  lines.expect_word("case", "'case' and the name of a load case, or none");
+  loads.load_case = lines.name();
+  loads.clearance = read_list(lines, "clearance", certificate.candidates(), "clearances");
+  loads.dead = read_list(lines, "dead", certificate.displacements(), "forces of the dead load");
+  loads.reference =
+      read_list(lines, "reference", certificate.displacements(), "forces of the reference load");
+  read_total(lines, certificate);
+}
+
+}  // namespace
+
 std::string Certificate::names_of(const support::IndexSet& set) const {
   std::string text = "{";
   const char* separator = "";
@@ -152,30 +186,16 @@ std::vector<std::size_t> Certificate::motions_of(const support::IndexSet& block)
 }
 
 Certificate read_certificate(std::string_view text, const std::string& file) {
-  // Checked first, since a file of another kind is not to be reported as damaged.
-  Lines beginning(text, file);
-  beginning.next();
-  const bool fourth = beginning.text() == fourth_version;
-  const bool third = fourth || beginning.text() == third_version;
-  const Version version{.names_blocks = third || beginning.text() == second_version,
-                        .has_motions = third,
-                        .has_bounds = fourth};
-  if (!version.names_blocks && beginning.text() != first_line) {
-    beginning.refuse("'" + std::string(fourth_version) + "'");
-  }
-  Lines lines(without_digest(text, file), file);
-  lines.next();
+  auto lines = lines_after(contact_first_line, text, file);
   Certificate certificate;
   read_header(lines, certificate);
-  if (version.names_blocks) {
-    read_blocks(lines, certificate);
-  } else {
-    certificate.blocks = {certificate.all_candidates()};
-  }
+  read_blocks(lines, certificate);
   read_stiffness(lines, certificate);
-  if (version.has_motions) read_motions(lines, certificate);
-  if (version.has_bounds) read_bounds(lines, certificate);
-  read_records(lines, version, certificate);
+  read_motions(lines, certificate);
+  read_loads(lines, certificate);
+  read_theorems(lines, certificate);
+  read_bounds(lines, certificate);
+  read_evidence(lines, certificate);
   return certificate;
 }
 

@@ -1,6 +1,7 @@
-// Certificate of a list of sign patterns: the problem, and evidence for every closed node of the
-// tree. docs/certificates.md describes the file; verify/wedged/proof.hpp and
-// verify/wedged/cover.hpp prove its claims.
+// Certificate about a contact problem: the problem, theorems that no state has parameters of a
+// certain kind, with the closed nodes of their trees, and states. docs/certificates.md describes
+// the file; verify/wedged/proof.hpp and verify/wedged/cover.hpp prove its claims,
+// verify/wedged/conclusion.hpp draws the conclusions.
 #pragma once
 
 #include <cstddef>
@@ -14,16 +15,48 @@
 
 namespace kusabi::verify {
 
-/// Statement of a certificate on a node.
-enum class Claim {
-  infeasible,  ///< no wedged configuration below it
-  feasible,    ///< a leaf: a configuration satisfies all inequalities strictly
-  none,        ///< no statement; "marginal" in the file
-  form,        ///< nothing is wedged in the block: a quadratic form is negative definite
-  cut,         ///< infeasible by the cuts that follow from bounds of candidates
+/// The first line.
+inline constexpr std::string_view contact_first_line = "kusabi certificate 5 contact";
+
+/// A combination of the loads of a block: `dead` times the dead load and the clearances, plus
+/// `reference` times the reference load.
+struct LoadShare {
+  double dead = 0;  ///< 0 or 1 in a file
+  double reference = 0;
+
+  friend bool operator==(const LoadShare&, const LoadShare&) = default;
+  friend auto operator<=>(const LoadShare&, const LoadShare&) = default;
 };
 
-/// The keyword in the file: "dead", "alive", "marginal", "form" or "cut".
+/// Restriction of a theorem to states whose normal reactions add up to a given sum.
+struct GripBound {
+  enum class Kind { above, below, equal };  ///< at least, at most, exactly
+  Kind kind = Kind::equal;
+  double total = 0;  ///< force; of the block
+
+  friend bool operator==(const GripBound&, const GripBound&) = default;
+};
+
+/// A theorem about a block: except at the nodes without a claim and in the patterns of recorded
+/// wedged configurations, no sign pattern has a state under a load of the cone of the shares.
+struct Theorem {
+  std::size_t line = 0;             ///< of the file
+  std::size_t block = 0;            ///< the first being 0
+  std::vector<LoadShare> shares{};  ///< none: wedged configurations
+  std::optional<GripBound> grip{};  ///< restricts the states; with shares
+
+  [[nodiscard]] bool about_wedged() const { return shares.empty(); }
+};
+
+/// Statement of a certificate on a node.
+enum class Claim {
+  infeasible,  ///< no state below it
+  cut,         ///< infeasible by the cuts that follow from bounds of candidates
+  form,        ///< nothing is wedged in the block: a quadratic form is negative definite
+  none,        ///< no statement; "marginal" in the file
+};
+
+/// The keyword in the file: "infeasible", "cut", "form" or "marginal".
 const char* claim_name(Claim claim);
 
 /// State of a candidate.
@@ -51,21 +84,42 @@ struct CandidateBound {
   std::vector<double> numbers{};
 };
 
-/// A closed node: one line of the file.
-struct Record {
+/// A closed node of a theorem: one line of the file.
+struct Node {
   std::size_t line = 0;  ///< of the file, the first being 1
   Claim claim = Claim::none;
-  std::size_t block = 0;        ///< block of the node, counted from 0
-  support::IndexSet contact;    ///< U: u_n = 0
-  support::IndexSet separated;  ///< R: r = 0
-  /// infeasible: multipliers of the normal displacements, one for each candidate of the block.
-  /// feasible: tangential reactions of the candidates in U, in their order, d - 1 each. Both:
-  /// coefficients of the block's rigid-body modes in the mean motion of w (infeasible) or u
-  /// (feasible). cut: the numbers of infeasible, then multipliers of cuts, one for each candidate,
-  /// >= 0. form: those of products of u_ni and r_nj, by rows; for each pair (j, k) the d - 1
-  /// components of that of r_nj and r_tk; one for the square of each candidate's friction
-  /// cone; with modes, those of products of u_ni and u_nj, by rows.
-  std::vector<double> numbers;
+  std::size_t theorem = 0;        ///< the first being 0
+  support::IndexSet contact{};    ///< U: u_n = 0
+  support::IndexSet separated{};  ///< R: r = 0
+  /// infeasible: multipliers of the normal displacements, one for each candidate of the block,
+  /// coefficients of its rigid-body modes in the mean motion of w and, if the theorem restricts the
+  /// sum of the normal reactions, its multiplier. cut: multipliers and mean motion, then
+  /// multipliers of cuts, one for each candidate, >= 0. form: those of products of u_ni and r_nj,
+  /// by rows; for each pair (j, k) the d - 1 components of that of r_nj and r_tk; one for the
+  /// square of each candidate's friction cone; with modes, those of products of u_ni and u_nj, by
+  /// rows.
+  std::vector<double> numbers{};
+};
+
+/// A state in the interior of the cone of a sign pattern.
+struct State {
+  std::size_t line = 0;  ///< of the file
+  std::size_t block = 0;
+  std::optional<LoadShare> share{};  ///< its load; nothing: a wedged configuration
+  support::IndexSet contact{};
+  support::IndexSet separated{};
+  /// Tangential reactions of the candidates in U, in their order, d - 1 each, and coefficients of
+  /// the block's rigid-body modes in the mean motion of u; under a load, of displacements that are
+  /// zero along the normals of U.
+  std::vector<double> numbers{};
+};
+
+/// Loads on the candidates, equivalent to those of the structure.
+struct RecordedLoads {
+  std::string load_case;          ///< of the problem file; empty: all loads of the file act
+  std::vector<double> clearance;  ///< g, m, length
+  std::vector<double> dead;       ///< dm, force
+  std::vector<double> reference;  ///< dm, force
 };
 
 /// The content of a file; all numbers are finite.
@@ -75,14 +129,16 @@ struct Certificate {
   std::vector<double> friction;    ///< m, each >= 0
   /// A partition of the candidates; K is zero between blocks.
   std::vector<support::IndexSet> blocks;
-  std::vector<double> stiffness;      ///< K, dm x dm, by rows, symmetric
-  std::size_t motions = 0;            ///< p, number of rigid-body modes of unconstrained bodies
-  std::vector<double> motion_values;  ///< G, dm x p, by rows; each column belongs to one block
-  /// True if the file states only that a pattern exists. Its nodes then need not cover all sign
-  /// patterns.
-  bool one_pattern = false;
-  std::vector<CandidateBound> bounds;  ///< in the order of their proofs
-  std::vector<Record> records;         ///< in the order of the file, without repetitions
+  std::vector<double> stiffness;         ///< K, dm x dm, by rows, symmetric
+  std::size_t motions = 0;               ///< p, number of rigid-body modes of unconstrained bodies
+  std::vector<double> motion_values;     ///< G, dm x p, by rows; each column belongs to one block
+  std::optional<RecordedLoads> loads{};  ///< nothing: about wedged configurations alone
+  /// Sum of the normal reactions in all states that the conclusions are about, of the only block.
+  std::optional<double> total{};
+  std::vector<Theorem> theorems{};
+  std::vector<CandidateBound> bounds{};  ///< in the order of their proofs
+  std::vector<Node> nodes{};    ///< of all theorems, in the order of the file, without repetitions
+  std::vector<State> states{};  ///< likewise
 
   [[nodiscard]] std::size_t candidates() const { return names.size(); }
   [[nodiscard]] std::size_t displacements() const { return dimension * names.size(); }
@@ -101,8 +157,9 @@ class CertificateError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads the text of a file. Of several lines with the same statement on a node the first is kept;
-/// contradicting lines of a node are all kept, and verify/wedged/cover.hpp refuses them.
+/// Reads the text of a file. Of several lines with the same statement on a node, or the same state,
+/// the first is kept; contradicting lines of a node are all kept, and verify/wedged/cover.hpp
+/// refuses them.
 /// @param file for messages
 /// @throws CertificateError
 Certificate read_certificate(std::string_view text, const std::string& file);

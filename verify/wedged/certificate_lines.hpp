@@ -1,5 +1,5 @@
-// Parts of the certificate reader: the header is in certificate.cpp, bounds are in bound_lines.cpp,
-// nodes in node_lines.cpp.
+// Parts of the certificate reader: the problem is in certificate.cpp, bounds are in bound_lines.cpp,
+// theorems, nodes and states in node_lines.cpp.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,6 @@
 #include "verify/wedged/lines.hpp"
 
 namespace kusabi::verify {
-
-/// Features of a version of the file format.
-struct Version {
-  bool names_blocks = false;  ///< blocks are listed, and a node begins with the number of its block
-  bool has_motions = false;   ///< rigid-body modes of unconstrained bodies
-  bool has_bounds = false;    ///< bounds of candidates, and nodes proved with the resulting cuts
-};
 
 /// The block number in the next word, counted from 0.
 /// @throws CertificateError, as do all functions below
@@ -29,19 +22,13 @@ std::string multipliers_of(std::size_t motions);
 /// Refuses the line if a multiplier of a cut is negative.
 void refuse_negative(const Lines& lines, std::span<const double> multipliers);
 
-/// Reads from the line 'dimension D' to the friction coefficients.
-void read_header(Lines& lines, Certificate& certificate);
-
-/// Reads from the line 'blocks N' to the last block.
-void read_blocks(Lines& lines, Certificate& certificate);
-
-/// Reads from the line 'motions P' to the last row of G.
-void read_motions(Lines& lines, Certificate& certificate);
+/// Reads from the line 'theorems N' to the last theorem.
+void read_theorems(Lines& lines, Certificate& certificate);
 
 /// Reads from the line 'bounds N' to the last bound.
 void read_bounds(Lines& lines, Certificate& certificate);
 
-/// Reads from the line 'nodes' to the line 'end N', without repeated nodes.
-void read_records(Lines& lines, Version version, Certificate& certificate);
+/// Reads from the line 'evidence' to the line 'end N', without repeated nodes and states.
+void read_evidence(Lines& lines, Certificate& certificate);
 
 }  // namespace kusabi::verify

@@ -129,23 +129,6 @@ std::optional<std::string> other_motions(const Certificate& certificate,
   return {};
 }
 
-// Candidates, friction and blocks of the header.
-// @return the friction coefficient, or the difference
-std::variant<double, std::string> friction_of_header(const Certificate& certificate,
-                                                     const Structure& structure) {
-  if (auto why = other_candidates(certificate, structure)) return *why;
-  auto friction = common_friction(certificate, structure);
-  if (std::holds_alternative<std::string>(friction)) return friction;
-  if (auto why = other_blocks(certificate, structure)) return *why;
-  return friction;
-}
-
-std::optional<std::string> other_modes(const Certificate& certificate,
-                                       const ContactMotions& motions) {
-  if (auto why = other_bodies(certificate, motions)) return why;
-  return other_motions(certificate, motions);
-}
-
 std::string direction_name(const Certificate& certificate, std::size_t displacement) {
   constexpr std::array<const char*, 3> kinds{"n", "t1", "t2"};
   const auto d = certificate.dimension;
@@ -191,33 +174,73 @@ std::optional<std::string> other_stiffness(const Certificate& certificate,
   return {};
 }
 
+// Clearances are part of the proofs, and the same numbers.
+std::optional<std::string> other_clearances(const RecordedLoads& loads, const Structure& structure,
+                                            const Certificate& certificate) {
+  for (std::size_t i = 0; i < structure.contact.size(); ++i) {
+    const double own = structure.contact[i].clearance;
+    if (loads.clearance[i] != own)
+      return "the clearance at " + certificate.names[i] + " is " + text_of(loads.clearance[i]) +
+             ", that of the structure " + text_of(own);
+  }
+  return {};
+}
+
+std::optional<std::string> other_forces(const std::vector<double>& recorded,
+                                        const EnclosedLoad& load, const char* name,
+                                        const Certificate& certificate) {
+  // A load that no reaction can balance has no equivalent forces at the candidates.
+  const auto& others = load.work.others;
+  if (std::ranges::any_of(others, [](const auto& work) { return sgn(work) != 0; })) return {};
+  double largest = 0;
+  for (std::size_t i = 0; i < recorded.size(); ++i)
+    largest = std::max(largest, std::abs(load.condensed.forces[i].nearest()));
+  for (std::size_t i = 0; i < recorded.size(); ++i) {
+    const double own = load.condensed.forces[i].nearest();
+    if (!(std::abs(recorded[i] - own) <= load_tolerance * largest))
+      return std::string("the ") + name +
+             " load of the certificate is not that of the structure: at " +
+             direction_name(certificate, i) + " it is " + text_of(recorded[i]) + ", expected " +
+             text_of(own);
+  }
+  return {};
+}
+
+// @return of a structure without its loads, or with them
+std::variant<LoadedEnclosure, std::string> enclosure_for(const Certificate& certificate,
+                                                         const Structure& structure) {
+  if (certificate.loads) return enclosed_loads(structure);
+  auto problem = enclosed_problem(structure);
+  if (auto* why = std::get_if<std::string>(&problem)) return *why;
+  return LoadedEnclosure{std::move(std::get<EnclosedProblem>(problem)), {}};
+}
+
 }  // namespace
 
 std::variant<ConsistentStructure, std::string> consistency(const Certificate& certificate,
                                                            const Structure& structure) {
-  auto friction = friction_of_header(certificate, structure);
-  if (auto* why = std::get_if<std::string>(&friction)) return *why;
-  auto problem = enclosed_problem(structure);
-  if (auto* why = std::get_if<std::string>(&problem)) {
-    return "K of the structure is not enclosed: " + *why;
-  }
-  auto& [enclosed, motions] = std::get<EnclosedProblem>(problem);
-  if (auto why = other_modes(certificate, motions)) return *why;
-  if (auto why = other_stiffness(certificate, enclosed, min_scales(structure, motions)))
-    return *why;
-  return ConsistentStructure{std::move(enclosed), std::move(motions), std::get<double>(friction)};
-}
-
-std::variant<ConsistentLoads, std::string> consistency_under_load(const Certificate& header,
-                                                                  const Structure& structure) {
-  auto friction = friction_of_header(header, structure);
-  if (auto* why = std::get_if<std::string>(&friction)) return *why;
-  auto found = enclosed_loads(structure);
+  if (auto why = other_candidates(certificate, structure)) return *why;
+  const auto friction = common_friction(certificate, structure);
+  if (const auto* why = std::get_if<std::string>(&friction)) return *why;
+  if (auto why = other_blocks(certificate, structure)) return *why;
+  auto found = enclosure_for(certificate, structure);
   if (auto* why = std::get_if<std::string>(&found))
     return "K of the structure is not enclosed: " + *why;
-  auto& enclosure = std::get<LoadedEnclosure>(found);
-  if (auto why = other_modes(header, enclosure.problem.motions)) return *why;
-  return ConsistentLoads{std::move(enclosure), std::get<double>(friction)};
+  auto& [problem, loads] = std::get<LoadedEnclosure>(found);
+  auto& [stiffness, motions] = problem;
+  if (auto why = other_bodies(certificate, motions)) return *why;
+  if (auto why = other_motions(certificate, motions)) return *why;
+  if (auto why = other_stiffness(certificate, stiffness, min_scales(structure, motions)))
+    return *why;
+  if (certificate.loads) {
+    const auto& recorded = *certificate.loads;
+    if (auto why = other_clearances(recorded, structure, certificate)) return *why;
+    if (auto why = other_forces(recorded.dead, loads[0], "dead", certificate)) return *why;
+    if (auto why = other_forces(recorded.reference, loads[1], "reference", certificate))
+      return *why;
+  }
+  return ConsistentStructure{std::move(stiffness), std::move(motions), std::move(loads),
+                             std::get<double>(friction)};
 }
 
 }  // namespace kusabi::verify

@@ -1,8 +1,9 @@
-// Consistency of a certificate with a structure: candidates, friction, blocks and K.
+// Consistency of a certificate with a structure: candidates, friction, blocks, K and loads.
 #pragma once
 
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "verify/arithmetic/exact.hpp"
 #include "verify/structure/contact_motions.hpp"
@@ -21,26 +22,21 @@ inline constexpr double stiffness_tolerance = 1e-6;
 /// Tolerance of the rigid-body modes, relative to the largest entry of each.
 inline constexpr double motion_tolerance = 1e-6;
 
+/// Tolerance of the recorded loads, relative to the largest force of each. No proof uses them.
+inline constexpr double load_tolerance = 1e-6;
+
 /// Data of the structure for the proofs.
 struct ConsistentStructure {
-  EnclosedMatrix stiffness;  ///< of the structure
-  ContactMotions motions;    ///< of its unconstrained bodies
-  double friction = 0;       ///< the coefficient to which those of the candidates are relative
+  EnclosedMatrix stiffness;           ///< of the structure
+  ContactMotions motions;             ///< of its unconstrained bodies
+  std::vector<EnclosedLoad> loads{};  ///< dead, reference, if the certificate has loads
+  double friction = 0;  ///< the coefficient to which those of the candidates are relative
 };
 
-/// Computes K of the structure and compares.
+/// Computes K, and the loads if the certificate has any, of the structure and compares.
+/// @param structure in the load case of the certificate
 /// @return otherwise a sentence with the first difference
 std::variant<ConsistentStructure, std::string> consistency(const Certificate& certificate,
                                                            const Structure& structure);
-
-struct ConsistentLoads {
-  LoadedEnclosure enclosure;
-  double friction = 0;  ///< as above
-};
-
-/// Computes K and the loads of the structure; compares all but K, which certificates of states
-/// under load do not have.
-std::variant<ConsistentLoads, std::string> consistency_under_load(const Certificate& header,
-                                                                  const Structure& structure);
 
 }  // namespace kusabi::verify

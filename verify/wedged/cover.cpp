@@ -11,55 +11,64 @@ using support::IndexSet;
 
 namespace {
 
+/// A node, or the pattern of a wedged configuration.
+struct ClosedPart {
+  std::size_t line;
+  const char* keyword;
+  const IndexSet& contact;
+  const IndexSet& separated;
+};
+
 class Cover {
  public:
   Cover(const Certificate& certificate, const IndexSet& block)
       : certificate_(certificate), block_(block) {}
 
-  // Checks that `records` cover all patterns below the node (contact, separated), which contains
-  // all of them. A candidate decided by all of them partitions the patterns and the records, so any
+  // Checks that `parts` cover all patterns below the node (contact, separated), which contains
+  // all of them. A candidate decided by all of them partitions the patterns and the parts, so any
   // such candidate will do. The depth does not exceed the number of candidates.
-  std::optional<std::string> flaw(std::span<const Record*> records, const IndexSet& contact,
+  std::optional<std::string> flaw(std::span<ClosedPart*> parts, const IndexSet& contact,
                                   const IndexSet& separated) {
-    if (records.empty()) {
-      return "no node covers " + node_name(contact, separated) + "; expected one dead or one alive";
+    if (parts.empty()) {
+      return "no node covers " + node_name(contact, separated) +
+             "; expected an infeasible or a feasible one";
     }
     auto common = block_ - (contact | separated);
-    for (const auto* record : records) common &= record->contact | record->separated;
-    if (common.empty()) return flaw_of_one(records, contact, separated);
+    for (const auto* part : parts) common &= part->contact | part->separated;
+    if (common.empty()) return flaw_of_one(parts, contact, separated);
     const int candidate = common.lowest();
     const auto one = IndexSet::single(candidate);
     const auto middle = std::partition(
-        records.begin(), records.end(),
-        [candidate](const Record* record) { return record->contact.contains(candidate); });
-    const auto touching = static_cast<std::size_t>(middle - records.begin());
-    auto found = flaw(records.first(touching), contact | one, separated);
-    if (!found) found = flaw(records.subspan(touching), contact, separated | one);
+        parts.begin(), parts.end(),
+        [candidate](const ClosedPart* part) { return part->contact.contains(candidate); });
+    const auto touching = static_cast<std::size_t>(middle - parts.begin());
+    auto found = flaw(parts.first(touching), contact | one, separated);
+    if (!found) found = flaw(parts.subspan(touching), contact, separated | one);
     return found;
   }
 
  private:
-  // The fault of records of which no candidate is decided in all.
-  [[nodiscard]] std::optional<std::string> flaw_of_one(std::span<const Record*> records,
+  // The fault of parts of which no candidate is decided in all.
+  [[nodiscard]] std::optional<std::string> flaw_of_one(std::span<ClosedPart*> parts,
                                                        const IndexSet& contact,
                                                        const IndexSet& separated) const {
-    const auto whole = [&](const Record* record) {
-      return (record->contact | record->separated) == (contact | separated);
+    const auto whole = [&](const ClosedPart* part) {
+      return (part->contact | part->separated) == (contact | separated);
     };
-    const auto first = std::find_if(records.begin(), records.end(), whole);
-    if (first == records.end()) {
+    const auto first = std::find_if(parts.begin(), parts.end(), whole);
+    if (first == parts.end()) {
       return "the nodes below " + node_name(contact, separated) +
              " do not form a tree: they have no decided candidate in common";
     }
-    if (records.size() == 1) return {};
-    const auto* const other = records[first == records.begin() ? 1 : 0];
+    if (parts.size() == 1) return {};
+    const auto* const other = parts[first == parts.begin() ? 1 : 0];
     const auto line = "line " + std::to_string((*first)->line);
     const auto other_line = "line " + std::to_string(other->line);
     if (!whole(other))
       return line + " and " + other_line + " both cover patterns below " +
              node_name(contact, separated);
-    return line + " says " + claim_name((*first)->claim) + " and " + other_line + " says " +
-           claim_name(other->claim) + " of " + node_name(contact, separated);
+    return line + " says " + (*first)->keyword + " and " + other_line + " says " + other->keyword +
+           " of " + node_name(contact, separated);
   }
 
   [[nodiscard]] std::string node_name(const IndexSet& contact, const IndexSet& separated) const {
@@ -73,24 +82,23 @@ class Cover {
 
 }  // namespace
 
-std::optional<std::string> flaw_of_cover(const Certificate& certificate, const IndexSet& block,
-                                         std::vector<const Record*> records) {
-  return Cover(certificate, block).flaw(records, {}, {});
-}
-
-std::optional<std::string> flaw_of_cover(const Certificate& certificate) {
-  for (std::size_t b = 0; b < certificate.blocks.size(); ++b) {
-    std::vector<const Record*> records;
-    for (const auto& record : certificate.records) {
-      if (record.block == b) records.push_back(&record);
-    }
-    auto flaw = Cover(certificate, certificate.blocks[b]).flaw(records, {}, {});
-    if (flaw && certificate.blocks.size() > 1) {
-      *flaw = "block " + std::to_string(b + 1) + ": " + *flaw;
-    }
-    if (flaw) return flaw;
+std::optional<std::string> flaw_of_cover(const Certificate& certificate, std::size_t theorem) {
+  const auto& about = certificate.theorems[theorem];
+  std::vector<ClosedPart> all;
+  for (const auto& node : certificate.nodes) {
+    if (node.theorem == theorem)
+      all.push_back({node.line, claim_name(node.claim), node.contact, node.separated});
   }
-  return {};
+  for (const auto& state : certificate.states) {
+    if (about.about_wedged() && !state.share && state.block == about.block)
+      all.push_back({state.line, "wedged", state.contact, state.separated});
+  }
+  std::vector<ClosedPart*> parts;
+  for (auto& part : all) parts.push_back(&part);
+  auto flaw = Cover(certificate, certificate.blocks[about.block]).flaw(parts, {}, {});
+  if (flaw && certificate.blocks.size() > 1)
+    *flaw = "block " + std::to_string(about.block + 1) + ": " + *flaw;
+  return flaw;
 }
 
 }  // namespace kusabi::verify

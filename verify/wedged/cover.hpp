@@ -1,22 +1,17 @@
-// Check that the nodes of a certificate are the closed nodes of one tree for each block: every sign
-// pattern of the block is below exactly one of them.
+// Check that the nodes of a theorem are the closed nodes of one tree: every sign pattern of its block
+// is below exactly one of them.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "verify/wedged/certificate.hpp"
 
 namespace kusabi::verify {
 
-/// @return the missing or repeated part; nothing if every sign pattern of every block is below
-///         exactly one node
-std::optional<std::string> flaw_of_cover(const Certificate& certificate);
-
-/// The same for some nodes of a block.
-std::optional<std::string> flaw_of_cover(const Certificate& certificate,
-                                         const support::IndexSet& block,
-                                         std::vector<const Record*> records);
+/// The missing or repeated part; nothing if every sign pattern of the block is below exactly one
+/// node, or is that of a wedged configuration if the theorem is about these.
+std::optional<std::string> flaw_of_cover(const Certificate& certificate, std::size_t theorem);
 
 }  // namespace kusabi::verify

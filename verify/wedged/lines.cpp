@@ -25,6 +25,13 @@ std::optional<double> number_in(std::string_view text) {
   return negative ? -value : value;
 }
 
+// True for a control character of ASCII, and for the second byte of one of U+0080 to U+009F.
+bool is_control(std::string_view text, std::size_t i) {
+  const auto byte = static_cast<unsigned char>(text[i]);
+  const bool of_two = i > 0 && text[i - 1] == '\xc2' && byte >= 0x80 && byte < 0xa0;
+  return byte < ' ' || byte == 0x7f || of_two;
+}
+
 }  // namespace
 
 std::string shown(std::string_view text) {
@@ -38,15 +45,22 @@ std::string shown(std::string_view text) {
 std::string on_one_line(std::string_view name) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string text;
-  for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= ' ' && c != '\x7f') {
-      text += c;
-    } else {
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(name[i]);
+    if (is_control(name, i)) {
       text += {'\\', 'x', digits[byte / 16], digits[byte % 16]};
+    } else {
+      text += name[i];
     }
   }
   return text;
+}
+
+std::string_view Lines::name() const {
+  for (std::size_t i = 0; i < words_.size(); ++i) {
+    if (is_control(words_, i)) refuse("a name without control characters");
+  }
+  return words_;
 }
 
 void Lines::refuse(const std::string& expected) const {
@@ -152,6 +166,9 @@ void Lines::expect_end() {
   refuse("the line 'digest …', the last one");
 }
 
+namespace {
+
+// Removes the last line and compares its digest with that of the text.
 std::string_view without_digest(std::string_view text, const std::string& file) {
   const auto incomplete = [&] {
     return CertificateError(
@@ -172,6 +189,18 @@ std::string_view without_digest(std::string_view text, const std::string& file) 
                            expected + "'");
   }
   return text;
+}
+
+}  // namespace
+
+Lines lines_after(std::string_view first_line, std::string_view text, const std::string& file) {
+  // Compared first, since a file of another kind is not to be reported as damaged.
+  Lines beginning(text, file);
+  beginning.next();
+  if (beginning.text() != first_line) beginning.refuse("'" + std::string(first_line) + "'");
+  Lines lines(without_digest(text, file), file);
+  lines.next();
+  return lines;
 }
 
 }  // namespace kusabi::verify

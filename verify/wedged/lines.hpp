@@ -16,7 +16,7 @@ namespace kusabi::verify {
 /// The beginning of a faulty line for messages, without control characters.
 std::string shown(std::string_view text);
 
-/// A name on one line, as in the file: control characters as \x0a.
+/// A name on one line, as in the file: control characters as \x0a, also those of two bytes in UTF-8.
 std::string on_one_line(std::string_view name);
 
 /// The lines of a text and their words.
@@ -40,6 +40,9 @@ class Lines {
 
   /// The unread rest of the line.
   [[nodiscard]] std::string_view remainder() const { return words_; }
+
+  /// The same as a name, which has no control characters: names are printed.
+  [[nodiscard]] std::string_view name() const;
 
   void expect(std::string_view text);
   void expect_word(std::string_view text, const std::string& what);
@@ -78,8 +81,8 @@ class Lines {
   bool ended_ = false;
 };
 
-/// Removes the last line and compares its digest with that of the text.
-/// @throws CertificateError
-std::string_view without_digest(std::string_view text, const std::string& file);
+/// The lines of a certificate after its first one, without the digest.
+/// @throws CertificateError if the first line is another one, or the digest is not that of the text
+Lines lines_after(std::string_view first_line, std::string_view text, const std::string& file);
 
 }  // namespace kusabi::verify

@@ -1,5 +1,8 @@
-// Lines of closed nodes in a certificate.
+// Lines of theorems, of the closed nodes of their trees, and of states.
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <tuple>
@@ -10,66 +13,120 @@
 namespace kusabi::verify {
 namespace {
 
-Record read_record(Lines& lines, Claim claim, Version version, const Certificate& certificate) {
-  Record record;
-  record.line = lines.number();
-  record.claim = claim;
-  if (version.names_blocks) record.block = read_block_number(lines, certificate);
-  const auto& block = certificate.blocks[record.block];
-  const std::string sets =
-      version.names_blocks ? "two disjoint sets of candidates of the block, in hexadecimal digits"
-                           : "two disjoint sets of the contact candidates, in hexadecimal digits";
-  record.contact = lines.set(sets);
-  record.separated = lines.set(sets);
-  const auto known = record.contact | record.separated;
-  if (record.contact.meets(record.separated) || !block.includes(known)) lines.refuse(sets);
-  const bool leaf = claim == Claim::feasible || (claim == Claim::none && !version.names_blocks);
-  if (leaf && known != block) {
-    lines.refuse("a leaf: every contact candidate in one of the two sets");
+LoadShare read_share(Lines& lines) {
+  const std::string what = "two factors, of the dead load (0 or 1) and of the reference load";
+  LoadShare share;
+  share.dead = lines.number(what);
+  share.reference = lines.number(what);
+  if (share.dead != 0 && share.dead != 1) lines.refuse(what);
+  return share;
+}
+
+// 'above S' or 'below S', if the line has more words.
+std::optional<GripBound> read_grip(Lines& lines) {
+  if (lines.remainder().empty()) return {};
+  const std::string what = "'above' or 'below', and a sum of normal reactions";
+  const auto kind = lines.word();
+  if (kind != "above" && kind != "below") lines.refuse(what);
+  const GripBound grip{kind == "above" ? GripBound::Kind::above : GripBound::Kind::below,
+                       lines.number(what)};
+  if (grip.total < 0) lines.refuse("a sum that is not negative");
+  return grip;
+}
+
+Theorem read_theorem(Lines& lines, const Certificate& certificate) {
+  lines.next();
+  lines.expect_word("none", "'none' with its block, loads and sum");
+  Theorem theorem;
+  theorem.line = lines.number();
+  theorem.block = read_block_number(lines, certificate);
+  const std::string count = "the number of its loads, 0, 1 or 2";
+  const auto shares = lines.integer(10, count);
+  if (shares > (certificate.loads ? 2U : 0U))
+    lines.refuse(certificate.loads ? count : "no loads, since the certificate has none");
+  for (std::uint64_t j = 0; j < shares; ++j) theorem.shares.push_back(read_share(lines));
+  if (theorem.about_wedged()) {
+    lines.end_of_line("no sum without loads");
+  } else if (certificate.total) {
+    theorem.grip = GripBound{GripBound::Kind::equal, *certificate.total};
+  } else {
+    theorem.grip = read_grip(lines);
   }
-  const auto touching = static_cast<std::size_t>(record.contact.size());
+  lines.end_of_line("no further word");
+  return theorem;
+}
+
+// Two disjoint sets of candidates of a block. @param whole all of its candidates
+void read_sets(Lines& lines, const support::IndexSet& block, bool whole, support::IndexSet& contact,
+               support::IndexSet& separated) {
+  const std::string sets = "two disjoint sets of candidates of the block, in hexadecimal digits";
+  contact = lines.set(sets);
+  separated = lines.set(sets);
+  const auto known = contact | separated;
+  if (contact.meets(separated) || !block.includes(known)) lines.refuse(sets);
+  if (whole && known != block)
+    lines.refuse("a leaf: every contact candidate in one of the two sets");
+}
+
+Node read_node(Lines& lines, Claim claim, const Certificate& certificate) {
+  const auto what =
+      "the number of a theorem, from 1 to " + std::to_string(certificate.theorems.size());
+  const auto number = lines.integer(10, what);
+  if (number < 1 || number > certificate.theorems.size()) lines.refuse(what);
+  Node node;
+  node.line = lines.number();
+  node.claim = claim;
+  node.theorem = number - 1;
+  const auto& theorem = certificate.theorems[node.theorem];
+  const auto& block = certificate.blocks[theorem.block];
+  if ((claim == Claim::cut || claim == Claim::form) && !theorem.about_wedged())
+    lines.refuse("the number of a theorem without loads, since cuts and forms are about these");
+  read_sets(lines, block, false, node.contact, node.separated);
   const auto moving = certificate.motions_of(block).size();
   const auto own = static_cast<std::size_t>(block.size());
   switch (claim) {
     case Claim::infeasible:
-      lines.numbers(own + moving, record.numbers, multipliers_of(moving));
+      lines.numbers(own + moving + (theorem.grip ? 1 : 0), node.numbers, multipliers_of(moving));
       break;
     case Claim::cut:
-      lines.numbers(2 * own + moving, record.numbers, multipliers_of(moving));
-      refuse_negative(lines, std::span(record.numbers).subspan(own + moving));
+      lines.numbers(2 * own + moving, node.numbers, multipliers_of(moving));
+      refuse_negative(lines, std::span(node.numbers).subspan(own + moving));
       break;
     case Claim::form:
-      if (!known.empty()) lines.refuse("two empty sets, '0 0'");
-      lines.numbers((certificate.dimension + (moving > 0 ? 1 : 0)) * own * own + own,
-                    record.numbers, "multipliers of products, slips and squares");
-      break;
-    case Claim::feasible:
-      lines.numbers(
-          (certificate.dimension - 1) * touching + moving, record.numbers,
-          moving > 0 ? "tangential reactions and parts of motions" : "tangential reactions");
+      if (!(node.contact | node.separated).empty()) lines.refuse("two empty sets, '0 0'");
+      lines.numbers((certificate.dimension + (moving > 0 ? 1 : 0)) * own * own + own, node.numbers,
+                    "multipliers of products, slips and squares");
       break;
     case Claim::none:
-      lines.numbers(0, record.numbers, "numbers");
+      lines.numbers(0, node.numbers, "numbers");
       break;
   }
-  return record;
+  return node;
 }
 
-// A search resumed from a checkpoint closes some nodes again, with the same evidence.
-void leave_out_repeated(std::vector<Record>& records) {
-  // All claims of infeasibility count as the same.
-  const auto key = [](const Record& record) {
-    const bool none = record.claim == Claim::cut || record.claim == Claim::form;
-    return std::tuple(record.block, record.contact, record.separated,
-                      none ? Claim::infeasible : record.claim);
-  };
-  const auto place = [](const Record& record) { return record.line; };
-  std::stable_sort(records.begin(), records.end(),
-                   [&](const Record& a, const Record& b) { return key(a) < key(b); });
-  const auto same = [&](const Record& a, const Record& b) { return key(a) == key(b); };
-  records.erase(std::unique(records.begin(), records.end(), same), records.end());
-  std::sort(records.begin(), records.end(),
-            [&](const Record& a, const Record& b) { return place(a) < place(b); });
+State read_state(Lines& lines, bool wedged, const Certificate& certificate) {
+  State state;
+  state.line = lines.number();
+  state.block = read_block_number(lines, certificate);
+  if (!wedged && !certificate.loads) lines.refuse("'wedged', since the certificate has no loads");
+  if (!wedged) state.share = read_share(lines);
+  const auto& block = certificate.blocks[state.block];
+  read_sets(lines, block, true, state.contact, state.separated);
+  const auto touching = static_cast<std::size_t>(state.contact.size());
+  const auto moving = certificate.motions_of(block).size();
+  lines.numbers((certificate.dimension - 1) * touching + moving, state.numbers,
+                moving > 0 ? "tangential reactions and parts of motions" : "tangential reactions");
+  return state;
+}
+
+// Keeps the first of several items with the same key. A search resumed from a checkpoint closes
+// some nodes again, with the same evidence.
+template <class Item, class Key>
+void leave_out_repeated(std::vector<Item>& items, Key key) {
+  std::ranges::stable_sort(items, {}, key);
+  const auto [first, last] = std::ranges::unique(items, {}, key);
+  items.erase(first, last);
+  std::ranges::sort(items, {}, &Item::line);
 }
 
 }  // namespace
@@ -77,13 +134,11 @@ void leave_out_repeated(std::vector<Record>& records) {
 const char* claim_name(Claim claim) {
   switch (claim) {
     case Claim::infeasible:
-      return "dead";
+      return "infeasible";
     case Claim::cut:
       return "cut";
     case Claim::form:
       return "form";
-    case Claim::feasible:
-      return "alive";
     default:
       return "marginal";
   }
@@ -96,31 +151,40 @@ std::size_t read_block_number(Lines& lines, const Certificate& certificate) {
   return number - 1;
 }
 
-void read_records(Lines& lines, Version version, Certificate& certificate) {
-  lines.expect("nodes");
+void read_theorems(Lines& lines, Certificate& certificate) {
+  for (auto left = lines.count("theorems"); left > 0; --left)
+    certificate.theorems.push_back(read_theorem(lines, certificate));
+}
+
+void read_evidence(Lines& lines, Certificate& certificate) {
+  lines.expect("evidence");
   for (std::size_t count = 0;; ++count) {
     lines.next();
-    if (count == 0 && lines.text() == "one pattern") {
-      certificate.one_pattern = true;
-      lines.next();
-    }
     const auto keyword = lines.word();
     if (keyword == "end") {
       lines.expect_node_count(count);
       lines.expect_end();
       break;
     }
-    std::vector<Claim> claims{Claim::infeasible, Claim::feasible, Claim::none};
-    if (version.has_bounds) claims.insert(claims.end(), {Claim::cut, Claim::form});
-    const auto claim = std::find_if(claims.begin(), claims.end(),
-                                    [&](Claim one) { return keyword == claim_name(one); });
-    if (claim == claims.end()) {
-      lines.refuse(version.has_bounds ? "'dead', 'cut', 'form', 'alive', 'marginal' or 'end'"
-                                      : "'dead', 'alive', 'marginal' or 'end'");
+    if (keyword == "wedged" || keyword == "held") {
+      certificate.states.push_back(read_state(lines, keyword == "wedged", certificate));
+      continue;
     }
-    certificate.records.push_back(read_record(lines, *claim, version, certificate));
+    constexpr std::array claims{Claim::infeasible, Claim::cut, Claim::form, Claim::none};
+    const auto* const claim =
+        std::ranges::find_if(claims, [&](Claim one) { return keyword == claim_name(one); });
+    if (claim == claims.end())
+      lines.refuse("'infeasible', 'cut', 'form', 'marginal', 'wedged', 'held' or 'end'");
+    certificate.nodes.push_back(read_node(lines, *claim, certificate));
   }
-  leave_out_repeated(certificate.records);
+  leave_out_repeated(certificate.nodes, [](const Node& node) {  // all infeasible nodes are the same
+    return std::tuple(node.theorem, node.contact, node.separated, node.claim == Claim::none);
+  });
+  // Several states under one load may have one pattern, with other sums of normal reactions.
+  leave_out_repeated(certificate.states, [](const State& state) {
+    return std::tuple(state.block, state.contact, state.separated, state.share,
+                      state.share ? state.numbers : std::vector<double>());
+  });
 }
 
 }  // namespace kusabi::verify

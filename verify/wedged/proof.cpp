@@ -9,6 +9,9 @@ namespace kusabi::verify {
 
 using support::IndexSet;
 
+namespace {
+
+// A set of candidates in the numbering of a block.
 IndexSet within(const IndexSet& block, const IndexSet& set) {
   IndexSet result;
   int number = 0;
@@ -19,6 +22,7 @@ IndexSet within(const IndexSet& block, const IndexSet& set) {
   return result;
 }
 
+// The problem of a block.
 ContactBlock contact_block(const Certificate& certificate, const EnclosedMatrix& stiffness,
                            const ContactMotions& motions, const IndexSet& block,
                            const std::vector<EnclosedLoad>& loads) {
@@ -57,8 +61,26 @@ ContactBlock contact_block(const Certificate& certificate, const EnclosedMatrix&
     own.error = condensed.error;
     for (const auto k : columns_of(motions, rows)) own.work.push_back(work.of_candidates[k]);
   }
+  if (!loads.empty()) {
+    for (const int candidate : block)
+      result.clearance.push_back(certificate.loads->clearance[static_cast<std::size_t>(candidate)]);
+  }
   return result;
 }
+
+Proof::Actions actions_on(const IndexSet& block, const Certificate& certificate,
+                          const std::vector<EnclosedLoad>& loads) {
+  Proof::Actions actions;
+  for (const int number : block) {
+    const auto candidate = static_cast<std::size_t>(number);
+    actions.dead =
+        actions.dead || certificate.loads->clearance[candidate] != 0 || loads[0].acts[candidate];
+    actions.reference = actions.reference || loads[1].acts[candidate];
+  }
+  return actions;
+}
+
+}  // namespace
 
 EnclosedMatrix recorded_stiffness(const Certificate& certificate) {
   EnclosedMatrix recorded{{certificate.displacements(), DyadicList(certificate.stiffness)},
@@ -72,13 +94,21 @@ Proof::Proof(const Certificate& certificate)
             recorded_motions(certificate.motion_values, certificate.motions)) {}
 
 Proof::Proof(const Certificate& certificate, const EnclosedMatrix& stiffness,
-             const ContactMotions& motions)
+             const ContactMotions& motions, const std::vector<EnclosedLoad>& loads)
     : certificate_(certificate) {
+  for (const auto& load : loads) {
+    unbalanced_work_.push_back(load.work.others);
+    sizes_.push_back(load.work.sizes_of_others);
+  }
   for (const auto& block : certificate.blocks) {
-    auto own_part = contact_block(certificate, stiffness, motions, block);
+    auto own_part = contact_block(certificate, stiffness, motions, block, loads);
     if (own_part.motions.count != certificate.motions_of(block).size()) {
       minimum_.reset();
       return;
+    }
+    if (!loads.empty()) {
+      actions_.push_back(actions_on(block, certificate, loads));
+      actions_.back().unconstrained = own_part.motions.count > 0;
     }
     blocks_.emplace_back(std::move(own_part));
     const auto& own = blocks_.back().min_eigenvalue();
@@ -98,23 +128,57 @@ std::optional<std::string> Proof::add_bound(const CandidateBound& bound) {
                                         bound.numbers);
 }
 
-ProofResult Proof::proof_result(const Record& record) const {
-  const auto& block = certificate_.blocks[record.block];
-  const auto contact = within(block, record.contact);
-  const auto separated = within(block, record.separated);
-  const auto& proof = blocks_[record.block];
-  switch (record.claim) {
+ProofResult Proof::proof_result(const Node& node) const {
+  const auto& theorem = certificate_.theorems[node.theorem];
+  const auto& block = certificate_.blocks[theorem.block];
+  const auto contact = within(block, node.contact);
+  const auto separated = within(block, node.separated);
+  const auto& proof = blocks_[theorem.block];
+  switch (node.claim) {
     case Claim::infeasible:
-      return proof.prove_infeasible(contact, separated, record.numbers);
+      break;
     case Claim::cut:
-      return proof.prove_by_cuts(contact, separated, record.numbers);
+      return proof.prove_by_cuts(contact, separated, node.numbers);
     case Claim::form:
-      return proof.prove_by_form(record.numbers);
-    case Claim::feasible:
-      return {proof.refusal_of_feasible(contact, record.numbers)};
-    default:
-      return {.unloaded = proof.leaves_a_contact_unloaded(contact, separated)};
+      return proof.prove_by_form(node.numbers);
+    case Claim::none:
+      return {.unloaded =
+                  theorem.about_wedged() && proof.leaves_a_contact_unloaded(contact, separated)};
   }
+  std::span<const double> numbers = node.numbers;
+  std::optional<GripTerm> grip;
+  if (theorem.grip) {
+    const double multiplier = numbers.back();
+    numbers = numbers.first(numbers.size() - 1);
+    if ((theorem.grip->kind == GripBound::Kind::above && multiplier < 0) ||
+        (theorem.grip->kind == GripBound::Kind::below && multiplier > 0))
+      return {.refusal = "the multiplier of the sum has the wrong sign"};
+    grip = GripTerm{theorem.grip->total, multiplier};
+  }
+  return proof.prove_infeasible(contact, separated, numbers, theorem.shares, grip);
+}
+
+bool Proof::is_unbalanced(LoadShare share) const {
+  for (std::size_t mode = 0; mode < unbalanced_work_[0].size(); ++mode) {
+    const mpq_class work = mpq_class(share.dead) * unbalanced_work_[0][mode] +
+                           mpq_class(share.reference) * unbalanced_work_[1][mode];
+    if (sgn(work) != 0) return true;
+  }
+  return false;
+}
+
+std::optional<std::string> Proof::refusal(const State& state, Grip* grip) const {
+  const auto contact = within(certificate_.blocks[state.block], state.contact);
+  const auto& proof = blocks_[state.block];
+  if (!state.share) return proof.refusal_of_feasible(contact, state.numbers);
+  if (is_unbalanced(*state.share))
+    return "its load does work on a motion that displaces no candidate";
+  return proof.refusal_of_held_state(contact, *state.share, state.numbers, grip);
+}
+
+bool Proof::holds_every_load(const State& state) const {
+  return !state.share && blocks_[state.block].resists_all_motions(
+                             within(certificate_.blocks[state.block], state.contact));
 }
 
 }  // namespace kusabi::verify

@@ -24,8 +24,10 @@ class Proof {
   /// between the blocks of the certificate.
   /// @param motions G with K G = 0, modes of unconstrained bodies: as many as the certificate has,
   ///        each in one block
+  /// @param loads dead and reference, if the certificate has any; none: nothing is proved of states
+  ///        under load
   Proof(const Certificate& certificate, const EnclosedMatrix& stiffness,
-        const ContactMotions& motions = {});
+        const ContactMotions& motions = {}, const std::vector<EnclosedLoad>& loads = {});
 
   /// A proved lower bound s > 0 of the least eigenvalue of K, with a spring for each rigid-body
   /// mode; nothing if K was not proved to be positive definite up to these. Nothing else can be
@@ -40,22 +42,44 @@ class Proof {
 
   /// Checks the claim on a node. A node without a claim is not refused.
   /// @pre min_eigenvalue()
-  [[nodiscard]] ProofResult proof_result(const Record& record) const;
+  [[nodiscard]] ProofResult proof_result(const Node& node) const;
+
+  /// Checks a state. @return the reason if it is not proved
+  /// @param grip the bounds are set; null: none are requested
+  /// @pre min_eigenvalue()
+  [[nodiscard]] std::optional<std::string> refusal(const State& state, Grip* grip = nullptr) const;
+
+  /// True if the reactions of a wedged configuration resist every rigid-body mode of its block, so
+  /// that it holds every load. @pre the state is proved
+  [[nodiscard]] bool holds_every_load(const State& state) const;
+
+  /// Actions on a block, by the connections of the structure.
+  struct Actions {
+    bool unconstrained = false;
+    bool dead = false;  ///< the dead load or a clearance
+    bool reference = false;
+  };
+  /// By block. @pre loads
+  [[nodiscard]] const std::vector<Actions>& actions() const { return actions_; }
+
+  /// Work of the dead and of the reference load on each mode that displaces no candidate; no
+  /// reaction balances it. @pre loads
+  [[nodiscard]] const std::vector<Rationals>& unbalanced_work() const { return unbalanced_work_; }
+  /// The same, from the magnitudes of its terms. @pre loads
+  [[nodiscard]] const std::vector<std::vector<double>>& size_of_unbalanced_work() const {
+    return sizes_;
+  }
 
  private:
+  [[nodiscard]] bool is_unbalanced(LoadShare share) const;
+
   const Certificate& certificate_;
   std::vector<BlockProof> blocks_;
+  std::vector<Actions> actions_;
+  std::vector<Rationals> unbalanced_work_;
+  std::vector<std::vector<double>> sizes_;
   std::optional<Dyadic> minimum_;
 };
-
-/// The problem of a block.
-/// @param loads of the structure, in their order; none: no states under load are proved
-ContactBlock contact_block(const Certificate& certificate, const EnclosedMatrix& stiffness,
-                           const ContactMotions& motions, const support::IndexSet& block,
-                           const std::vector<EnclosedLoad>& loads = {});
-
-/// A set of candidates in the numbering of a block.
-support::IndexSet within(const support::IndexSet& block, const support::IndexSet& set);
 
 /// K of the doubles of a certificate; with rigid-body modes, P'K P with the orthogonal projection P
 /// onto their complement.

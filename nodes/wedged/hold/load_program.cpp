@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/LU>
+
 #include "problems/wedged/precise_compliance.hpp"
 #include "problems/wedged/problem_block.hpp"
 
@@ -122,6 +124,26 @@ LoadedProblem loaded_problem(const problems::CheckedStructure& structure,
                              const std::array<std::string, 2>& cases,
                              const support::LongWork& work) {
   return loaded_with(structure, node_forces(structure, cases), work);
+}
+
+EquivalentForces equivalent_forces(const LoadedProblem& loaded) {
+  const auto& compliance = loaded.problem.compliance;
+  const Eigen::Index size = compliance.matrix.rows();
+  EquivalentForces forces{Eigen::VectorXd::Zero(size), Eigen::VectorXd::Zero(size)};
+  if (!loaded.has_dead && !loaded.has_reference) return forces;
+  const PreciseMatrix stiffness = problems::stiffness_of(compliance.precise);
+  PreciseMatrix all = stiffness * loaded.loads.displacements;
+  const PreciseMatrix& modes = loaded.problem.modes.precise;
+  if (modes.cols() > 0) {
+    const PreciseMatrix springs = stiffness * modes;
+    const PreciseMatrix gram = modes.transpose() * springs;
+    const PreciseMatrix missing = loaded.loads.motions.transpose() - modes.transpose() * all;
+    all += springs * gram.partialPivLu().solve(missing);
+  }
+  Eigen::Index place = 0;
+  if (loaded.has_dead) forces.dead = all.col(place++).cast<double>();
+  if (loaded.has_reference) forces.reference = all.col(place).cast<double>();
+  return forces;
 }
 
 LoadedProblem loaded_block(const LoadedProblem& whole, const support::IndexSet& candidates) {

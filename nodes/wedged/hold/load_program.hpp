@@ -66,6 +66,17 @@ LoadedProblem loaded_problem(const problems::CheckedStructure& structure,
                              const std::array<std::string, 2>& cases,
                              const support::LongWork& work = {});
 
+/// Forces on the candidates, dm each, that are equivalent to the loads: K u = r + p for every state.
+/// With S = F^-1, which includes the grounding springs, and the work b of a load on the modes G,
+///
+///   p = S w + S G (G'S G)^-1 (b - G'S w).
+///
+/// Zero for a load that is not there.
+struct EquivalentForces {
+  Eigen::VectorXd dead, reference;
+};
+EquivalentForces equivalent_forces(const LoadedProblem& loaded);
+
 /// The part of a decoupled block. @param candidates of the block
 LoadedProblem loaded_block(const LoadedProblem& whole, const support::IndexSet& candidates);
 

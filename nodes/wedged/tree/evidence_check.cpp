@@ -27,6 +27,8 @@ EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
   certificate_.names = problem.contact_names;
   certificate_.friction = {friction.begin(), friction.end()};
   certificate_.blocks = problems::blocks_of(problem);
+  for (std::size_t block = 0; block < certificate_.blocks.size(); ++block)
+    certificate_.theorems.push_back({.block = block});
   certificate_.motions = static_cast<std::size_t>(problem.modes.matrix.cols());
   for (const auto& row : problem.modes.matrix.rowwise())
     certificate_.motion_values.insert(certificate_.motion_values.end(), row.begin(), row.end());
@@ -57,7 +59,6 @@ verify::Claim claim_of(Evidence::Kind kind) {
     case Evidence::Kind::form:
       return verify::Claim::form;
     case Evidence::Kind::feasible:
-      return verify::Claim::feasible;
     case Evidence::Kind::no_claim:
       break;
   }
@@ -68,14 +69,21 @@ verify::Claim claim_of(Evidence::Kind kind) {
 
 NodeProof EvidenceCheck::proof(const Evidence& evidence) const {
   if (!proof_->min_eigenvalue()) return NodeProof::refused;
-  verify::Record record;
-  record.claim = claim_of(evidence.kind);
-  record.block = evidence.block;
-  record.contact = evidence.node.contact;
-  record.separated = evidence.node.separated;
-  record.numbers = {evidence.numbers.begin(), evidence.numbers.end()};
-  const auto proof_result = proof_->proof_result(record);
-  if (record.claim == verify::Claim::none)
+  const auto& node = evidence.node;
+  const std::vector numbers(evidence.numbers.begin(), evidence.numbers.end());
+  if (evidence.kind == Evidence::Kind::feasible) {
+    const auto refusal = proof_->refusal({.block = evidence.block,
+                                          .contact = node.contact,
+                                          .separated = node.separated,
+                                          .numbers = numbers});
+    return refusal ? NodeProof::refused : NodeProof::complete;
+  }
+  const auto proof_result = proof_->proof_result({.claim = claim_of(evidence.kind),
+                                                  .theorem = evidence.block,
+                                                  .contact = node.contact,
+                                                  .separated = node.separated,
+                                                  .numbers = numbers});
+  if (evidence.kind == Evidence::Kind::no_claim)
     return proof_result.unloaded ? NodeProof::complete : NodeProof::refused;
   if (proof_result.refusal) return NodeProof::refused;
   if (!proof_result.except_large_displacements) return NodeProof::complete;

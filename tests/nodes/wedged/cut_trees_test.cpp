@@ -281,6 +281,9 @@ struct Searched {
     certificate.names = problem.contact_names;
     certificate.friction = friction;
     certificate.blocks = problems::blocks_of(problem);
+    certificate.theorems.clear();
+    for (std::size_t block = 0; block < certificate.blocks.size(); ++block)
+      certificate.theorems.push_back({.block = block});
     certificate.motions = static_cast<std::size_t>(problem.modes.matrix.cols());
     certificate.motion_values.clear();
     for (const auto& row : problem.modes.matrix.rowwise())

@@ -132,10 +132,8 @@ verify::Certificate certificate_of(const problems::WedgedProblem& problem, doubl
   certificate.blocks = {certificate.all_candidates()};
   for (const double entry : problem.compliance.stiffness.reshaped())
     certificate.stiffness.push_back(entry);
-  verify::Record record;
-  record.claim = verify::Claim::form;
-  record.numbers = numbers;
-  certificate.records.push_back(record);
+  certificate.theorems.resize(1);
+  certificate.nodes.push_back({.claim = verify::Claim::form, .numbers = numbers});
   return certificate;
 }
 
@@ -143,7 +141,7 @@ std::string refusal(const problems::WedgedProblem& problem, double factor,
                     const std::vector<double>& numbers) {
   const auto certificate = certificate_of(problem, factor, numbers);
   const verify::Proof proof(certificate);
-  return proof.proof_result(certificate.records.front()).refusal.value_or("");
+  return proof.proof_result(certificate.nodes.front()).refusal.value_or("");
 }
 
 TEST(QuadraticForm, IsProvedByTheVerifier) {
