@@ -36,14 +36,17 @@ double not_below(const Dyadic& number) {
   return std::nextafter(number.nearest(), std::numeric_limits<double>::infinity());
 }
 
-// Work of a load on a motion, relative to its terms.
+// Work of a load on a motion, relative to that of a motion whose coefficients are all as large as
+// its largest: the recorded motion is converted to other modes, so each of them may have a rounding
+// error of the largest.
 double work_size(const ActingLoad& load, const std::vector<double>& motion) {
-  double sum = 0, size = 0;
+  double sum = 0, size = 0, largest = 0;
   for (std::size_t mode = 0; mode < motion.size(); ++mode) {
     sum += load.work[mode].get_d() * motion[mode];
-    size += std::abs(load.work[mode].get_d() * motion[mode]);
+    size += std::abs(load.work[mode].get_d());
+    largest = std::max(largest, std::abs(motion[mode]));
   }
-  return size == 0 ? 0 : std::abs(sum) / size;
+  return size == 0 ? 0 : std::abs(sum) / (size * largest);
 }
 
 }  // namespace
