@@ -54,9 +54,21 @@ LimitCertificate recorded_loads(const Structure& truss) {
   return loads;
 }
 
+namespace {
+
+// A quotient rounded down or up.
+double quotient(double dividend, double divisor, bool up) {
+  const mpq_class exact = mpq_class(dividend) / mpq_class(divisor);
+  return up ? rounded_up(exact) : rounded_down(exact);
+}
+
+}  // namespace
+
 LossClaim::LossClaim(const LossStatement& statement, std::optional<Structure> structure)
     : statement_(statement), evidence_(recorded_loads(statement.truss)) {
+  std::vector<Bar> whole;  // with the yield forces of the file
   if (structure) {
+    whole = structure->bars;
     for (auto& bar : structure->bars) {
       bar.tension /= statement.sudden;
       bar.compression /= statement.sudden;
@@ -76,12 +88,28 @@ LossClaim::LossClaim(const LossStatement& statement, std::optional<Structure> st
   truss_ = std::get<LimitTruss>(std::move(found));
   exact_ = exact_truss(*structure);
   add_uncertain(evidence_.uncertain, evidence_.alpha, exact_);
+  tension_ = evidence_.tension;
+  compression_ = evidence_.compression;
+  if (!whole.empty()) divide_yield_forces(whole);
   load_names_ = std::move(structure->load_names);
   for (const auto& bar : structure->bars)
     names_.push_back(structure->names[bar.first] + "-" + structure->names[bar.second]);
   evidence_.load = statement.load;
   evidence_.motion = statement.motion;
   proof_.emplace(evidence_, *truss_);
+}
+
+void LossClaim::divide_yield_forces(const std::vector<Bar>& bars) {
+  const double sudden = statement_.sudden;
+  for (std::size_t i = 0; i < bars.size(); ++i) {
+    const auto& [tension, compression] = std::pair(bars[i].tension, bars[i].compression);
+    exact_.tension[i] = mpq_class(tension) / mpq_class(sudden);
+    exact_.compression[i] = mpq_class(compression) / mpq_class(sudden);
+    evidence_.tension[i] = quotient(tension, sudden, false);
+    evidence_.compression[i] = quotient(compression, sudden, false);
+    tension_[i] = quotient(tension, sudden, true);
+    compression_[i] = quotient(compression, sudden, true);
+  }
 }
 
 std::vector<std::pair<std::string, double>> LossClaim::half_widths() const {
@@ -94,6 +122,8 @@ std::vector<std::pair<std::string, double>> LossClaim::half_widths() const {
 std::vector<std::string> LossClaim::check_loss(double& upper) const {
   std::vector<std::string> refusals;
   auto remaining = evidence_;
+  remaining.tension = tension_;
+  remaining.compression = compression_;
   for (const auto member : statement_.lost)
     remaining.tension[member] = remaining.compression[member] = 0;
   const LimitProof proof(remaining, *truss_);

@@ -41,8 +41,12 @@ class LossClaim {
   [[nodiscard]] std::optional<std::string> refusal_of_state(std::size_t number) const;
 
  private:
+  // Quotients of yield forces and dynamic factor are rounded to the safe side of either bound.
+  void divide_yield_forces(const std::vector<Bar>& bars);
+
   const LossStatement& statement_;
-  LimitCertificate evidence_;  // of the truss before the loss
+  LimitCertificate evidence_;                  // of the truss before the loss
+  std::vector<double> tension_, compression_;  // rounded up, for the upper bound
   std::optional<LimitTruss> truss_;
   std::optional<LimitProof> proof_;  // of evidence_; nothing: a difference
   ExactTruss exact_;
