@@ -26,8 +26,14 @@ Eigen::MatrixXd free_stiffness(const WedgedProblem& problem) {
   const PreciseMatrix gram = g.transpose() * forces;
   const PreciseMatrix shares = gram.partialPivLu().solve(PreciseMatrix(forces.transpose()));
   const Eigen::MatrixXd free = (held - forces * shares).cast<double>();
-  const Eigen::MatrixXd sum = free + free.transpose();
-  return sum / 2;
+  Eigen::MatrixXd sum = (free + free.transpose()) / 2;
+  // The difference of equal numbers in 104 bits is zero up to a rounding.
+  constexpr double rounded = 0x1p-90;
+  const Eigen::ArrayXd scale = held.diagonal().cast<double>().array().sqrt();
+  if (precise)
+    sum = (sum.array().abs() > rounded * (scale.matrix() * scale.matrix().transpose()).array())
+              .select(sum, 0.0);
+  return sum;
 }
 
 }  // namespace kusabi::problems

@@ -152,7 +152,13 @@ DecidedTree BoundDecisions::tree(BracketSide side, double factor, CriticalPhase 
   const auto bounds = proved_bounds(prepared);
   const auto record = recorder ? recorder(side, factor, friction) : nullptr;
   tree.test_with(test(exact), badly_scaled_);
-  if (record) tree.report_to([&record](const auto& evidence) { record->add(evidence); });
+  // One feasible pattern proves an upper bound; other nodes may be marginal.
+  const bool one_pattern = phase == CriticalPhase::upper_bound;
+  if (record) {
+    tree.report_to([&](const auto& evidence) {
+      if (!one_pattern || evidence.kind == Evidence::Kind::feasible) record->add(evidence);
+    });
+  }
   engine::Options search;
   search.limits.nodes = nodes;
   // A record is written by one rank.
@@ -169,7 +175,11 @@ DecidedTree BoundDecisions::tree(BracketSide side, double factor, CriticalPhase 
                        .except_large_displacements = tally.except_large_displacements > 0};
   });
   leaves_out_ = leaves_out_ || decided.except_large_displacements;
-  if (record) record->end(bounds, BoundClaim::all_patterns, decided.solved() && wanted(decided));
+  if (!record) return decided;
+  if (one_pattern)
+    record->end({}, BoundClaim::one_pattern, decided.solved() && decided.feasible > 0);
+  else
+    record->end(bounds, BoundClaim::all_patterns, decided.solved() && wanted(decided));
   return decided;
 }
 
