@@ -42,11 +42,6 @@ std::string proved(const std::string& claim) {
   return "PROVED: " + claim;
 }
 
-std::string not_in_certificate(std::uint64_t degenerate_nodes) {
-  return fmt::format("The certificate does not prove {} with a margin of zero.",
-                     counted(degenerate_nodes, "degenerate node"));
-}
-
 std::string no_certificate(const std::string& why) {
   return fmt::format("No certificate was written, since {}.", why);
 }

@@ -76,7 +76,10 @@ std::vector<Reservation> reservations(const Verdict& verdict) {
         }
       },
       verdict.answer);
-  for (const auto& each : verdict.missing) all.push_back({.sentence = each, .open = true});
+  // An output that a finished run could not make, such as the certificate of a computed bound,
+  // leaves the answer as it is.
+  const bool early = verdict.ended != engine::Status::solved;
+  for (const auto& each : verdict.missing) all.push_back({.sentence = each, .open = early});
   std::stable_partition(all.begin(), all.end(), [](const auto& each) { return each.open; });
   return all;
 }

@@ -48,7 +48,6 @@ std::string loss_claim(const CertificateCheck::Loss& loss);
 std::string proved(const std::string& claim);
 
 /// Sentences about certificates that a run was to write.
-std::string not_in_certificate(std::uint64_t degenerate_nodes);
 std::string no_certificate(const std::string& why);
 inline constexpr const char* no_proved_lower_bound =
     "No certificate of a lower bound was written, since none is proved.";

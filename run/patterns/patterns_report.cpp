@@ -99,9 +99,6 @@ answer::Verdict PatternsReport::verdict() const {
                           .nodes_left = example ? 0 : findings_.outcome.open,
                           .answer = sticking};
   if (auto text = largest_margin(); !text.empty()) verdict.details.push_back(std::move(text));
-  if (!options_.certificate.empty() && findings_.whole() && exact.unproved > 0 && !exact.asked) {
-    verdict.missing.push_back(answer::not_in_certificate(exact.unproved));
-  }
   if (!firmness_.empty()) verdict.details.push_back(largest_load());
   if (!brackets_.empty()) verdict.details.push_back(least_friction());
   if (answer::is_known_to_stick(sticking))

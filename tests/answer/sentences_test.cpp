@@ -86,13 +86,7 @@ Command patterns() {
             {.answer = with([](auto& found) {
                found.count = 2;
                found.remainder = ExactRemainder{3e11, "the exact test was stopped early"};
-             })}},
-           {"a certificate that is not complete",
-            {.answer = with([](auto& found) {
-               found.standing = Standing::computed;
-               found.degenerate = 1;
-             }),
-             .missing = {not_in_certificate(1)}}}}};
+             })}}}};
 }
 
 Command rays() {
