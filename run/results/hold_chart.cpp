@@ -26,7 +26,8 @@ using pictures::ChartSeries;
 using pictures::Stroke;
 using Points = std::vector<Eigen::Vector2d>;
 
-/// Distance of a vertex that is not drawn, relative to that of the vertex at the first quartile.
+/// Distance of a vertex that is not drawn, relative to that of the vertex at the first quartile of
+/// those that are not the origin.
 constexpr double far_away = 20;
 
 constexpr double unbounded_end = std::numeric_limits<double>::infinity();
@@ -148,8 +149,11 @@ class HoldCharts {
   [[nodiscard]] static Eigen::AlignedBox2d drawn_box(Points vertices) {
     std::ranges::sort(vertices, {}, [](const auto& vertex) { return vertex.norm(); });
     Eigen::AlignedBox2d box;
+    const auto others =
+        std::ranges::find_if(vertices, [](const auto& vertex) { return vertex.norm() > 0; });
+    const double near = others == vertices.end() ? 0 : others[(vertices.end() - others) / 4].norm();
     for (const auto& vertex : vertices)
-      if (vertex.norm() <= far_away * vertices[vertices.size() / 4].norm()) box.extend(vertex);
+      if (vertex.norm() <= far_away * near) box.extend(vertex);
     if (box.isEmpty()) box.extend(Eigen::Vector2d(0, 0));
     Eigen::Vector2d size = box.sizes();
     for (int axis = 0; axis < 2; ++axis)
