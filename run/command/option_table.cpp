@@ -482,6 +482,10 @@ const OptionRow* OptionTable::find(std::string_view name) const {
   return found == rows_.end() ? nullptr : &*found;
 }
 
+void OptionTable::use_default(std::string_view name, double value) {
+  std::ranges::find(rows_, name, &OptionRow::name)->default_value = fmt::format("{}", value);
+}
+
 std::vector<std::pair<std::string, std::string>> OptionTable::facts() const {
   std::vector<std::pair<std::string, std::string>> facts;
   for (const auto& row : rows_) {

@@ -245,6 +245,9 @@ class OptionTable {
   /// The row of that name; null if there is none.
   [[nodiscard]] const OptionRow* find(std::string_view name) const;
 
+  /// Sets the default of a number, if it depends on the problem: result files then have its value.
+  void use_default(std::string_view name, double value);
+
   /// Options that results depend on, with their values or defaults.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> facts() const;
 

@@ -12,7 +12,6 @@
 
 #include "nodes/wedged/critical/bound_record.hpp"
 #include "nodes/wedged/critical_search.hpp"
-#include "nodes/wedged/friction/critical_friction.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/command/command_run.hpp"
 #include "run/command/subcommand.hpp"
@@ -112,14 +111,17 @@ class Critical final : public Subcommand {
  private:
   void draw(OutputFolder& folder, const WholeStates& states) const;
 
+  OptionTable* table_ = nullptr;
   CriticalOptions options_;
   std::string vtu_;
   ContactProblem contact_;
+  wedged::CriticalGrid grid_;
   wedged::CriticalFindings findings_;
 };
 
 void Critical::describe(OptionTable& table) {
   using Strategy = wedged::CriticalStrategy;
+  table_ = &table;
   table.problem(options_.input.file);
   table.choice(
       "--method", options_.parameters.strategy,
@@ -190,19 +192,17 @@ void Critical::check() const {
 
 void Critical::prepare(CommandRun& run) {
   contact_ = contact_problem(run, options_.input);
-  // Upper limit: the largest coefficient that the candidate with the most friction permits.
-  const double maximum = wedged::CriticalFriction::range(contact_.problem).maximum;
   if (options_.parameters.maximum)
     friction_at(contact_.problem, *options_.parameters.maximum, options_.input.file);
-  if (!options_.parameters.maximum && maximum < wedged::default_max_friction)
-    options_.parameters.maximum = maximum;
   keep_state(run, options_.checkpoint, contact_.problem);
+  grid_ = wedged::grid_of(contact_.problem, options_.parameters);
+  table_->use_default("--mu-max", grid_.maximum);
+  table_->use_default("--width", grid_.width);
 }
 
 std::string Critical::announcement(const std::string& ranks) const {
-  const double maximum = options_.parameters.maximum.value_or(wedged::default_max_friction);
   return fmt::format("{}; up to a friction coefficient of {}; {}", problem_line(contact_.problem),
-                     friction_text(contact_.problem, maximum), ranks);
+                     friction_text(contact_.problem, grid_.maximum), ranks);
 }
 
 void Critical::search(CommandRun& run) {
@@ -250,12 +250,12 @@ std::vector<Step> Critical::results(CommandRun& run) {
                [this](std::ostream& out) { write_critical_csv(out, contact_.problem, findings_); }),
       run.folder("--vtu", [this, states](auto& folder) { draw(folder, *states); }),
       run.answer([this] {
-        return critical_table(options_, contact_.problem, findings_, CommandRun::page());
+        return critical_table(options_, contact_.problem, grid_, findings_, CommandRun::page());
       })};
 }
 
 answer::Verdict Critical::verdict() const {
-  return critical_verdict(options_, contact_.problem, findings_);
+  return critical_verdict(options_, contact_.problem, grid_, findings_);
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ struct CriticalOptions {
 
 /// Patterns, bracket and costs as text. @param page page of the output
 std::string critical_table(const CriticalOptions& options, const problems::WedgedProblem& problem,
+                           const wedged::CriticalGrid& grid,
                            const wedged::CriticalFindings& findings, const Page& page);
 
 /// The member `result` of a result file. @param whole of the same structure
@@ -47,12 +48,13 @@ nlohmann::ordered_json critical_statistics(const wedged::CriticalFindings& findi
 void write_critical_csv(std::ostream& out, const problems::WedgedProblem& problem,
                         const wedged::CriticalFindings& findings);
 
-answer::CriticalBracket critical_bracket(const CriticalOptions& options,
-                                         const problems::WedgedProblem& problem,
+answer::CriticalBracket critical_bracket(const problems::WedgedProblem& problem,
+                                         const wedged::CriticalGrid& grid,
                                          const wedged::CriticalFindings& findings);
 
 answer::Verdict critical_verdict(const CriticalOptions& options,
                                  const problems::WedgedProblem& problem,
+                                 const wedged::CriticalGrid& grid,
                                  const wedged::CriticalFindings& findings);
 
 }  // namespace kusabi::run

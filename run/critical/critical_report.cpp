@@ -127,9 +127,8 @@ ordered_json critical_statistics(const wedged::CriticalFindings& findings) {
   return statistics;
 }
 
-namespace {}  // namespace
-
 std::string critical_table(const CriticalOptions& options, const problems::WedgedProblem& problem,
+                           const wedged::CriticalGrid& grid,
                            const wedged::CriticalFindings& findings, const Page& page) {
   std::string text;
   auto out = std::back_inserter(text);
@@ -150,10 +149,10 @@ std::string critical_table(const CriticalOptions& options, const problems::Wedge
     fmt::format_to(out, "{:>5}  {:>16}  {:>16}  {}\n", ++number, shown.lower, shown.upper,
                    contact_text(problem, entry.pattern));
   }
-  text += '\n' + answer::bracket_line(critical_bracket(options, problem, findings));
+  text += '\n' + answer::bracket_line(critical_bracket(problem, grid, findings));
   if (!finds_smallest_only(options.parameters.strategy) && findings.bracket.upper) {
     fmt::format_to(out, "(of the {} at {})\n", answer::counted(findings.patterns.size(), "pattern"),
-                   options.parameters.maximum.value_or(0));
+                   grid.maximum);
   }
   return text + '\n' + ranks_text(findings, page) + costs_text(findings);
 }

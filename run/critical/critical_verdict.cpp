@@ -28,14 +28,13 @@ std::string first_way(const problems::WedgedProblem& problem, const wedged::Crit
 
 }  // namespace
 
-answer::CriticalBracket critical_bracket(const CriticalOptions& options,
-                                         const problems::WedgedProblem& problem,
+answer::CriticalBracket critical_bracket(const problems::WedgedProblem& problem,
+                                         const wedged::CriticalGrid& grid,
                                          const wedged::CriticalFindings& findings) {
-  answer::CriticalBracket found{
-      .bracket = findings.bracket,
-      .factor = !problems::uniform_friction(problem),
-      .maximum = options.parameters.maximum.value_or(wedged::default_max_friction),
-      .width = wedged::grid_of(problem, options.parameters).width};
+  answer::CriticalBracket found{.bracket = findings.bracket,
+                                .factor = !problems::uniform_friction(problem),
+                                .maximum = grid.maximum,
+                                .width = grid.width};
   // A bound of zero means only that nothing sticks without friction: the search has not advanced.
   if (found.bracket.at_least() <= 0) found.bracket.lower.reset();
   found.grounds =
@@ -51,8 +50,9 @@ answer::CriticalBracket critical_bracket(const CriticalOptions& options,
 
 answer::Verdict critical_verdict(const CriticalOptions& options,
                                  const problems::WedgedProblem& problem,
+                                 const wedged::CriticalGrid& grid,
                                  const wedged::CriticalFindings& findings) {
-  const auto bracket = critical_bracket(options, problem, findings);
+  const auto bracket = critical_bracket(problem, grid, findings);
   answer::Verdict verdict{.ended = findings.status, .answer = bracket};
   const bool closed =
       findings.status == engine::Status::solved && !bracket.wide && bracket.bracket.lower;

@@ -61,6 +61,21 @@ TEST_F(CriticalCommand, NamesTheBoundsWithoutCertificate) {
   EXPECT_FALSE(std::filesystem::exists(in_folder("none.lower")));
 }
 
+TEST_F(CriticalCommand, WritesTheWidthAndTheMaximumThatItUses) {
+  const auto options_of = [&](const std::string& words) {
+    const auto file = in_folder("result.json");
+    shell(command + " critical " + truss + words + " --output " + quoted(file));
+    return nlohmann::json::parse(content(file))["options"];
+  };
+  const auto defaults = options_of("");
+  EXPECT_EQ(defaults["mu_max"], 1000);
+  EXPECT_EQ(defaults["width"], 1e-8);
+  EXPECT_EQ(defaults["list_nodes"], nullptr);
+  const auto given = options_of(" --mu-max 0.65 --width 1e-4");
+  EXPECT_EQ(given["mu_max"], 0.65);
+  EXPECT_EQ(given["width"], 1e-4);
+}
+
 TEST_F(CriticalCommand, ReportsThatItCannotStickUpToTheMaximum) {
   const auto run = shell(command + " critical " + truss + " --mu-max 0.4");
   EXPECT_EQ(run.exit_code, 0);
