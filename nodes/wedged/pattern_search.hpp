@@ -38,7 +38,7 @@ enum class Proving {
 
 /// Purpose and result of the exact test.
 struct ExactTest {
-  double scale_ratio = 1;
+  std::optional<double> scale_ratio{};  ///< absent: the search ended before it was computed
   bool asked = false;
   bool done = false;
   std::string unable{};       ///< the reason why a required test was impossible, a sentence

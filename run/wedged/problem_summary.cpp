@@ -177,7 +177,7 @@ ordered_json block_rows(const problems::WedgedProblem& problem, std::uint32_t bl
 }
 
 nlohmann::ordered_json exact_json(const wedged::ExactTest& test) {
-  return {{"scale_ratio", test.scale_ratio},
+  return {{"scale_ratio", answer::number_or_null(test.scale_ratio)},
           {"done", test.done},
           {"refused", test.refused},
           {"refused_needed", test.closed_unproved},
@@ -186,7 +186,7 @@ nlohmann::ordered_json exact_json(const wedged::ExactTest& test) {
 
 std::optional<answer::ExactRemainder> remainder_of(const wedged::ExactTest& test) {
   if (!test.is_open()) return std::nullopt;
-  return answer::ExactRemainder{test.scale_ratio, test.unable,
+  return answer::ExactRemainder{test.scale_ratio.value(), test.unable,
                                 test.closed_unproved + test.unproved};
 }
 
