@@ -20,6 +20,12 @@ constexpr const char* unbalanced_load =
     "It cannot hold the load at any friction coefficient: the load moves a body in a direction "
     "that no candidate resists.";
 
+// Of the claim that nothing else is held, where it is made.
+template <class Found>
+const char* of_others(const Found& found) {
+  return unless_proved(found.outside.value_or(Standing::computed));
+}
+
 std::string part(const HoldingFactors::Interval& each) {
   const auto standing = unless_proved(each.standing);
   if (std::isinf(each.low()))
@@ -66,22 +72,16 @@ std::string in_case(const std::string& load_case) {
   return load_case.empty() ? "" : " in load case " + support::in_quotes(load_case);
 }
 
-bool is_everything(const HoldingFactors& found) {
-  return found.intervals.size() == 1 && std::isinf(found.intervals.front().low()) &&
-         std::isinf(found.intervals.front().high());
-}
-
 // "from 1 to 2", "all", "none"; of a dead load "it can be held" or "it cannot be held".
 std::string factors_at(const HoldingFactors& found) {
   const bool reference = found.of_reference;
   if (found.intervals.empty()) {
     if (found.open) return reference ? "not known" : "this is not known";
-    return fmt::format("{}{}", reference ? "none" : "it cannot be held",
-                       unless_proved(found.outside));
+    return fmt::format("{}{}", reference ? "none" : "it cannot be held", of_others(found));
   }
   const char* const standing = unless_proved(found.intervals.front().standing);
   if (!reference) return fmt::format("it can be held{}", standing);
-  if (is_everything(found)) return fmt::format("all{}", standing);
+  if (found.holds_all()) return fmt::format("all{}", standing);
   return parts(found) + (found.open ? " (others are not known)" : "");
 }
 
@@ -141,7 +141,7 @@ void reserve(const HoldingBracket& found, engine::Status /*ended*/, std::vector<
   }
 }
 
-std::string headline_of(const HoldingFactors& found, engine::Status ended) {
+std::string headline_of(const HoldingFactors& found, engine::Status /*ended*/) {
   if (found.reason == HoldReason::supports) return held_by_supports;
   auto where = fmt::format("at friction coefficient {}{}{}", found.friction,
                            of_each_candidate(found.factor), in_case(found.load_case));
@@ -152,7 +152,7 @@ std::string headline_of(const HoldingFactors& found, engine::Status ended) {
         found.of_reference ? "the reference load at any factor" : "the dead load", where);
   }
   if (found.intervals.empty()) {
-    if (ended != engine::Status::solved || found.open)
+    if (found.open)
       return fmt::format("It is not known whether it can hold {} {}.",
                          found.of_reference ? "any factor of the reference load" : "the dead load",
                          where);
@@ -160,19 +160,18 @@ std::string headline_of(const HoldingFactors& found, engine::Status ended) {
     return fmt::format("It {} {}{}.",
                        found.of_reference ? "can hold no factor of the reference load"
                                           : "cannot hold the dead load",
-                       where, unless_proved(found.outside));
+                       where, of_others(found));
   }
   if (!found.of_reference) {
     return fmt::format("It can hold the dead load {}{}.", where,
                        unless_proved(found.intervals.front().standing));
   }
-  if (is_everything(found)) {
+  if (found.holds_all()) {
     return fmt::format("It can hold the reference load at any factor {}{}.", where,
                        unless_proved(found.intervals.front().standing));
   }
-  const auto others = found.open || ended != engine::Status::solved
-                          ? std::string("; others are not known")
-                          : none_outside(found) + unless_proved(found.outside);
+  const auto others =
+      found.open ? std::string("; others are not known") : none_outside(found) + of_others(found);
   return fmt::format("It can hold these factors of the reference load {}: {}{}.", where,
                      parts(found), others);
 }
@@ -206,27 +205,26 @@ std::string headline_of(const HoldingSweep& found, engine::Status /*ended*/) {
                         : std::string());
 }
 
-std::string headline_of(const HoldingDiagram& found, engine::Status ended) {
+std::string headline_of(const HoldingDiagram& found, engine::Status /*ended*/) {
   const auto where =
       fmt::format("at friction coefficient {}{}", found.friction, of_each_candidate(found.factor));
   const auto pairs = fmt::format("pairs of factors of the reference loads \"{}\" and \"{}\"",
                                  found.cases.front(), found.cases.back());
-  const bool partial = found.open || ended != engine::Status::solved;
   if (found.everything) return fmt::format("It can hold all {} {}.", pairs, where);
   if (found.pieces == 0) {
-    if (partial) return fmt::format("The {} that it can hold {} are not known.", pairs, where);
-    return fmt::format("It can hold no {} {}{}.", pairs, where, unless_proved(found.outside));
+    if (found.open) return fmt::format("The {} that it can hold {} are not known.", pairs, where);
+    return fmt::format("It can hold no {} {}{}.", pairs, where, of_others(found));
   }
   return fmt::format("It can hold the {} in {} {}{}.", pairs, counted(found.pieces, "convex piece"),
                      where,
-                     partial ? std::string("; others are not known")
-                             : fmt::format(", and no other{}", unless_proved(found.outside)));
+                     found.open ? std::string("; others are not known")
+                                : fmt::format(", and no other{}", of_others(found)));
 }
 
 void reserve(const HoldingDiagram& found, engine::Status ended, std::vector<Reservation>& all) {
   if (found.open && ended == engine::Status::solved)
     all.push_back({"Some sign patterns are undecided; pieces may be missing.", true});
-  if (found.outside == Standing::computed && !found.open && !found.everything)
+  if (found.outside == Standing::computed)
     all.push_back(
         {"Computed, not proved: no other pair is held. The states of some sign patterns are, up to "
          "rounding, states of another pattern, as happens with a load at a candidate.",
@@ -306,7 +304,7 @@ void reserve(const HoldingFactors& found, engine::Status ended, std::vector<Rese
         {"Some sign patterns are undecided; load factors that only they hold may be missing.",
          true});
   }
-  if (found.outside == Standing::computed && !found.open)
+  if (found.outside == Standing::computed)
     all.push_back({"Computed, not proved: no other factor is held.", true});
   if (std::ranges::any_of(found.intervals,
                           [](const auto& each) { return each.standing == Standing::computed; })) {

@@ -1,6 +1,4 @@
 // Sentences about zero-one programs and certificates.
-#include <cmath>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -19,14 +17,16 @@ std::string bound_text(const MixedOptimum& found) {
                   : "not known");
 }
 
+// " for displacements up to 1e+06 times the strains"; empty: for all.
+std::string for_displacements(std::optional<double> ratio) {
+  return ratio ? fmt::format(" for displacements up to {:.2g} times the strains", *ratio) : "";
+}
+
 std::string of_list(const CertificateCheck::List& list) {
   if (list.undecided > 0 && list.nodes == 0)
     return "NOTHING PROVED: all nodes are marginal, and the certificate claims nothing about them";
   const auto patterns = counted(list.patterns, "pattern");
-  const auto except = list.except_large_displacements == 0
-                          ? std::string{}
-                          : fmt::format(" for displacements up to {:.2g} times the strains",
-                                        list.displacement_ratio);
+  const auto except = for_displacements(list.displacement_ratio);
   if (list.undecided > 0) {
     return fmt::format("PROVED except for {}: the list of {} is complete{} except for these",
                        counted(list.undecided, "marginal node"), patterns,
@@ -81,19 +81,18 @@ std::string factor_claim(const CertificateCheck::Factor& factor) {
 
 namespace {
 
-std::string range_text(const CertificateCheck::Range& range) {
-  if (std::isinf(range.low) && std::isinf(range.high)) return "all factors";
+std::string range_text(const Bracket& range) {
+  const auto& [lower, upper] = range;
+  if (!lower && !upper) return "all factors";
   constexpr int digits = support::digits_of_table;
-  if (std::isinf(range.low))
-    return fmt::format("up to {}", support::rounded_down(range.high, digits));
-  if (std::isinf(range.high))
-    return fmt::format("from {} on", support::rounded_up(range.low, digits));
-  if (range.low == range.high) return fmt::format("{}", range.low);
-  const auto [low, high] = support::inside(range.low, range.high, digits);
+  if (!lower) return fmt::format("up to {}", support::rounded_down(upper->value, digits));
+  if (!upper) return fmt::format("from {} on", support::rounded_up(lower->value, digits));
+  if (lower->value == upper->value) return fmt::format("{}", lower->value);
+  const auto [low, high] = support::inside(lower->value, upper->value, digits);
   return fmt::format("from {} to {}", low, high);
 }
 
-std::string ranges_text(const std::vector<CertificateCheck::Range>& ranges) {
+std::string ranges_text(const std::vector<Bracket>& ranges) {
   std::string text;
   for (const auto& range : ranges) text += (text.empty() ? "" : ", ") + range_text(range);
   return text;
@@ -103,17 +102,19 @@ bool is_of_dead_load(const CertificateCheck::Held& held) {
   if (!held.of_reference) return true;
   if (held.held.size() + held.none.size() != 1) return false;
   const auto& only = held.held.empty() ? held.none.front() : held.held.front();
-  return only.low == 0 && only.high == 0;
+  return only == Bracket::proved(0, 0);
 }
 
-std::string grip_text(const CertificateCheck::GripBounds& grip) {
+std::string grip_text(const CertificateCheck::Grip& grip) {
   constexpr int digits = support::digits_of_table;
+  const auto& [lower, upper] = grip.sum;
   auto text =
       fmt::format("the normal reactions of every state under the dead load add up to {} or more",
-                  support::rounded_down(grip.below, digits));
-  if (grip.above) text += fmt::format(" and {} or less", support::rounded_up(*grip.above, digits));
+                  support::rounded_down(lower ? lower->value : 0, digits));
+  if (upper) text += fmt::format(" and {} or less", support::rounded_up(upper->value, digits));
   if (grip.states) {
-    const auto [low, high] = support::inside(grip.states->low, grip.states->high, digits);
+    const auto [low, high] =
+        support::inside(grip.states->at_least(), grip.states->at_most(), digits);
     text += fmt::format(", those of some states to {} and {}", low, high);
   }
   return text;
@@ -142,10 +143,7 @@ std::string of_held(const CertificateCheck::Held& held) {
     if (!held.none.empty()) add(fmt::format("it cannot hold: {}", ranges_text(held.none)));
   }
   if (grip) add(grip_text(*held.grip));
-  if (held.except_large_displacements) {
-    text += fmt::format("; all for displacements up to {:.2g} times the strains",
-                        held.displacement_ratio);
-  }
+  if (held.displacement_ratio) text += "; all" + for_displacements(held.displacement_ratio);
   return text;
 }
 

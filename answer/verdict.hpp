@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -176,7 +177,7 @@ struct HoldingGrip {
 /// Factors of the reference load that can be held at one coefficient: `hold --mu`.
 struct HoldingFactors {
   static constexpr const char* kind = "holding-factors";
-  static constexpr const char* title = "holding_factors";
+  static constexpr const char* title = kind;
   struct Interval {
     Standing standing{};
     Bracket below{};
@@ -202,12 +203,17 @@ struct HoldingFactors {
   bool factor = false;
   bool of_reference = true;
   std::vector<Interval> intervals{};
-  Standing outside{};
+  std::optional<Standing> outside{};
   bool open = false;
   HoldReason reason = HoldReason::searched;
   std::string load_case{};
   std::optional<double> total{};
   std::optional<HoldingGrip> grip{};
+
+  [[nodiscard]] bool holds_all() const {
+    return intervals.size() == 1 && intervals.front().low() == -Interval::unbounded &&
+           intervals.front().high() == Interval::unbounded;
+  }
 
   static constexpr auto fields() {
     return std::tuple{
@@ -219,7 +225,8 @@ struct HoldingFactors {
         field("intervals", &HoldingFactors::intervals,
               "factors of the reference load that can be held"),
         field("outside", &HoldingFactors::outside,
-              "standing of the claim that no other factor is held"),
+              "standing of the claim that no other factor is held; null: others may be held, or "
+              "all are"),
         field("open", &HoldingFactors::open, "factors may be missing"),
         field("reason", &HoldingFactors::reason, "why no search was needed"),
         if_any("case", &HoldingFactors::load_case, "with --case"),
@@ -250,7 +257,7 @@ struct HoldingDiagram {
   std::vector<std::string> cases{};
   std::uint64_t pieces = 0;
   bool everything = false;
-  Standing outside{};
+  std::optional<Standing> outside{};
   bool open = false;
   std::uint64_t coarse = 0;
 
@@ -260,7 +267,8 @@ struct HoldingDiagram {
                             "friction multiplies the coefficient of each candidate"),
                       field("cases", &HoldingDiagram::cases, "names of both reference loads"),
                       field("outside", &HoldingDiagram::outside,
-                            "standing of the claim that no other pair is held"),
+                            "standing of the claim that no other pair is held; null: others may be "
+                            "held, or all are"),
                       field("open", &HoldingDiagram::open, "pieces may be missing")};
   }
 };
@@ -431,11 +439,9 @@ struct CertificateCheck {
   /// A list of patterns.
   struct List {
     std::uint64_t patterns = 0;
-    std::uint64_t nodes = 0;      ///< nodes with a proved claim
-    std::uint64_t undecided = 0;  ///< nodes without a claim
-    /// Nodes whose proof leaves out displacements over `displacement_ratio` times the strains.
-    std::uint64_t except_large_displacements = 0;
-    double displacement_ratio = 0;
+    std::uint64_t nodes = 0;                     ///< nodes with a proved claim
+    std::uint64_t undecided = 0;                 ///< nodes without a claim
+    std::optional<double> displacement_ratio{};  ///< as in Sticking
   };
   /// Load factors under all admissible loads.
   struct Factor {
@@ -450,16 +456,11 @@ struct CertificateCheck {
   struct Example {
     std::uint64_t patterns = 0;
   };
-  /// Factors of the reference load; infinite: no end.
-  struct Range {
-    double low = 0, high = 0;
-  };
-  /// Bounds of the sum of the normal reactions in all states under the dead load.
-  struct GripBounds {
-    double below = 0;
-    std::optional<double> above{};  ///< absent: none is proved
-    std::optional<Range> states{};  ///< sums of two states
-    [[nodiscard]] bool says_something() const { return below > 0 || above || states; }
+  /// The sum of the normal reactions in all states under the dead load.
+  struct Grip {
+    Bracket sum{};
+    std::optional<Bracket> states{};  ///< sums of two states
+    [[nodiscard]] bool says_something() const { return sum.lower || sum.upper || states; }
   };
   /// States under load.
   struct Held {
@@ -467,12 +468,10 @@ struct CertificateCheck {
     std::string load_case{};        ///< empty: the file has none
     bool of_reference = true;       ///< false: the file has a dead load only
     std::optional<double> total{};  ///< sum of the normal reactions in these states
-    std::vector<Range> held{};      ///< each factor has a state
-    std::vector<Range> none{};      ///< no factor has one
-    std::optional<GripBounds> grip{};
-    bool except_large_displacements = false;  ///< proofs leave out displacements over
-                                              ///< `displacement_ratio` times the strains
-    double displacement_ratio = 0;
+    std::vector<Bracket> held{};    ///< each factor between the bounds has a state
+    std::vector<Bracket> none{};    ///< no factor has one
+    std::optional<Grip> grip{};
+    std::optional<double> displacement_ratio{};  ///< as in Sticking
   };
   /// Least load factor over all losses of some members.
   struct Loss {
@@ -488,6 +487,14 @@ struct CertificateCheck {
     bool struts = false;              ///< as in LoadInterval
     double sudden = 1;                ///< as in MemberLoss
   };
+  /// An infinite bound is open.
+  static Bracket proved_between(double low, double high) {
+    auto range = Bracket::proved(low, high);
+    if (std::isinf(low)) range.lower.reset();
+    if (std::isinf(high)) range.upper.reset();
+    return range;
+  }
+
   std::uint64_t refusals = 0;
   std::variant<std::monostate, List, Example, Factor, Loss, Held> claim{};
 };
@@ -505,7 +512,7 @@ using AnyAnswer =
 
 struct Verdict {
   engine::Status ended = engine::Status::solved;  ///< of the searches
-  std::uint64_t nodes_left = 0;                   ///< open nodes, if the search ended early
+  std::optional<std::uint64_t> nodes_left{};      ///< open nodes of a search that ended early
   AnyAnswer answer{};
   std::vector<std::string> details{};   ///< sentences that belong to the headline
   std::vector<std::string> missing{};   ///< requested outputs that were not made: one sentence each

@@ -16,7 +16,7 @@ struct WrittenVerdict {
   bool answered = false;
   int exit_code = 0;
   engine::Status ended{};
-  std::uint64_t nodes_left = 0;
+  std::optional<std::uint64_t> nodes_left{};
   std::vector<std::string> missing;
 
   static constexpr auto fields() {
@@ -28,7 +28,8 @@ struct WrittenVerdict {
         field("answered", &WrittenVerdict::answered, "nothing that was requested is open"),
         field("exit_code", &WrittenVerdict::exit_code),
         field("ended", &WrittenVerdict::ended, "of the searches"),
-        field("nodes_left", &WrittenVerdict::nodes_left, "open nodes, if the search ended early"),
+        field("nodes_left", &WrittenVerdict::nodes_left,
+              "open nodes; null: the search ended early, and they are not counted"),
         field("missing", &WrittenVerdict::missing, "requested outputs that were not made")};
   }
 };
@@ -36,14 +37,15 @@ struct WrittenVerdict {
 }  // namespace
 
 nlohmann::ordered_json verdict_json(const Verdict& verdict) {
-  WrittenVerdict json{.sentence = headline(verdict),
-                      .details = verdict.details,
-                      .reservations = {},
-                      .answered = is_answered(verdict),
-                      .exit_code = static_cast<int>(exit_code(verdict)),
-                      .ended = verdict.ended,
-                      .nodes_left = verdict.nodes_left,
-                      .missing = verdict.missing};
+  WrittenVerdict json{
+      .sentence = headline(verdict),
+      .details = verdict.details,
+      .reservations = {},
+      .answered = is_answered(verdict),
+      .exit_code = static_cast<int>(exit_code(verdict)),
+      .ended = verdict.ended,
+      .nodes_left = verdict.ended == engine::Status::solved ? 0 : verdict.nodes_left,
+      .missing = verdict.missing};
   for (const auto& each : reservations(verdict)) json.reservations.push_back(each.sentence);
   return written(json);
 }

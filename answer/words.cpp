@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "answer/answer_words.hpp"
 #include "answer/values.hpp"
@@ -17,19 +18,15 @@ constexpr bool answers_nothing =
     std::is_same_v<Answer, std::monostate> || std::is_same_v<Answer, Measurement>;
 
 std::string early_end(const Verdict& verdict) {
-  auto text = fmt::format("Stopped early ({})", status_name(verdict.ended));
-  if (std::holds_alternative<Sticking>(verdict.answer)) {
-    text += verdict.nodes_left == 0 ? ": the list is not complete"
-                                    : fmt::format(": {} left, and the list is not complete",
-                                                  counted(verdict.nodes_left, "open node") +
-                                                      (verdict.nodes_left == 1 ? " is" : " are"));
-  } else if (std::holds_alternative<CertificateCheck>(verdict.answer)) {
-    text += ": nothing is proved until all statements are";
-  } else if (verdict.nodes_left != 0) {
-    text += fmt::format(": {} left", counted(verdict.nodes_left, "open node") +
-                                         (verdict.nodes_left == 1 ? " is" : " are"));
-  }
-  return text + '.';
+  const auto text = fmt::format("Stopped early ({})", status_name(verdict.ended));
+  if (std::holds_alternative<CertificateCheck>(verdict.answer))
+    return text + ": nothing is proved until all statements are.";
+  std::vector<std::string> parts;
+  if (const auto left = verdict.nodes_left.value_or(0); left != 0)
+    parts.push_back(counted(left, "open node") + (left == 1 ? " is left" : " are left"));
+  if (std::holds_alternative<Sticking>(verdict.answer))
+    parts.emplace_back("the list is not complete");
+  return fmt::format("{}{}{}.", text, parts.empty() ? "" : ": ", fmt::join(parts, ", and "));
 }
 
 }  // namespace

@@ -51,6 +51,8 @@ std::string proved(const std::string& claim);
 std::string no_certificate(const std::string& why);
 inline constexpr const char* no_proved_lower_bound =
     "No certificate of a lower bound was written, since none is proved.";
+inline constexpr const char* no_grip_range =
+    "The range of the sum of the normal reactions is not known.";
 inline constexpr const char* no_proved_upper_bound =
     "No certificate of the upper bound was written, since it is computed, not proved.";
 inline constexpr const char* nothing_is_proved = "it would contain no proof";

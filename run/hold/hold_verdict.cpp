@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -56,8 +57,7 @@ answer::HoldingFactors factors_of(const HoldOptions& options, const wedged::Load
                                 .factor = !problems::uniform_friction(loaded.problem),
                                 .of_reference = loaded.has_reference,
                                 .intervals = {},
-                                .outside = found.outside,
-                                .open = found.unresolved};
+                                .open = found.unresolved || found.status != engine::Status::solved};
   answer.load_case = options.load_case;
   answer.total = options.parameters.total;
   if (found.any_by_supports) answer.reason = answer::HoldReason::supports;
@@ -67,6 +67,7 @@ answer::HoldingFactors factors_of(const HoldOptions& options, const wedged::Load
     answer.intervals.push_back({each.held(), end_of(each.low, each.low_out, false),
                                 end_of(each.high, each.high_out, true)});
   }
+  if (!answer.open && !answer.holds_all()) answer.outside = found.outside;
   return answer;
 }
 
@@ -75,15 +76,16 @@ answer::HoldingDiagram diagram_of(const HoldOptions& options, const wedged::Load
   const auto count = [&](auto is) {
     return static_cast<std::uint64_t>(std::ranges::count_if(found.pieces, is));
   };
-  const bool complete = found.status == engine::Status::solved;
-  return {.friction = options.points.front(),
-          .factor = !problems::uniform_friction(loaded.problem),
-          .cases = options.cases,
-          .pieces = found.pieces.size(),
-          .everything = count([](const auto& piece) { return piece.is_whole_plane; }) > 0,
-          .outside = complete ? found.outside : support::Standing::computed,
-          .open = found.unresolved || !complete,
-          .coarse = count([](const auto& piece) { return !piece.fine; })};
+  answer::HoldingDiagram answer{
+      .friction = options.points.front(),
+      .factor = !problems::uniform_friction(loaded.problem),
+      .cases = options.cases,
+      .pieces = found.pieces.size(),
+      .everything = count([](const auto& piece) { return piece.is_whole_plane; }) > 0,
+      .open = found.unresolved || found.status != engine::Status::solved,
+      .coarse = count([](const auto& piece) { return !piece.fine; })};
+  if (!answer.open && !answer.everything) answer.outside = found.outside;
+  return answer;
 }
 
 answer::HoldingGrip grip_of(const wedged::GripRange& found) {
@@ -145,11 +147,15 @@ answer::Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedPro
     any = !findings.points.empty() && findings.points.front().factors.any_by_supports;
   } else if (!findings.points.empty()) {
     auto factors = point_of(options, loaded, findings.points.front());
-    if (factors.grip) verdict.details.push_back(answer::grip_sentence(*factors.grip));
+    if (factors.grip)
+      verdict.details.push_back(answer::grip_sentence(*factors.grip));
+    else if (options.grip)
+      verdict.missing.emplace_back(answer::no_grip_range);
     verdict.answer = std::move(factors);
     any = findings.points.front().factors.any_by_supports;
   }
-  if (!options.certificate.empty()) verdict.missing = missing_certificates(findings);
+  if (!options.certificate.empty())
+    std::ranges::move(missing_certificates(findings), std::back_inserter(verdict.missing));
   if (!any) {
     verdict.details.emplace_back(
         "\"Can hold\" means that a state of equilibrium exists; whether it is reached depends on "

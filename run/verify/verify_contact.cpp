@@ -258,18 +258,19 @@ std::string summary(const verify::Certificate& certificate, const verify::Proof&
 }
 
 answer::CertificateCheck::List list_of(const Verification::Tally& proved) {
-  return {.patterns = proved.states,
-          .nodes = proved.infeasible + proved.states + proved.unloaded,
-          .undecided = proved.open(),
-          .except_large_displacements = proved.except_large_displacements,
-          .displacement_ratio = verify::largest_displacement_ratio};
+  answer::CertificateCheck::List list{.patterns = proved.states,
+                                      .nodes = proved.infeasible + proved.states + proved.unloaded,
+                                      .undecided = proved.open()};
+  if (proved.except_large_displacements > 0)
+    list.displacement_ratio = verify::largest_displacement_ratio;
+  return list;
 }
 
-std::vector<answer::CertificateCheck::Range> ranges_of(
-    const std::vector<verify::FactorRange>& ranges) {
-  std::vector<answer::CertificateCheck::Range> result;
+std::vector<support::Bracket> ranges_of(const std::vector<verify::FactorRange>& ranges) {
+  std::vector<support::Bracket> result;
   result.reserve(ranges.size());
-  for (const auto& [low, high] : ranges) result.push_back({low, high});
+  for (const auto& [low, high] : ranges)
+    result.push_back(answer::CertificateCheck::proved_between(low, high));
   return result;
 }
 
@@ -282,19 +283,20 @@ bool acts(const verify::EnclosedLoad& load) {
 answer::CertificateCheck::Held held_of(const verify::Certificate& certificate,
                                        const verify::ConsistentStructure& consistent,
                                        const verify::HoldClaims& claims, bool except_large) {
-  answer::CertificateCheck::Held held{
-      .friction = consistent.friction,
-      .load_case = certificate.loads->load_case,
-      .of_reference = acts(consistent.loads[1]),
-      .total = certificate.total,
-      .held = ranges_of(claims.held),
-      .none = ranges_of(claims.none),
-      .except_large_displacements = except_large,
-      .displacement_ratio = verify::largest_displacement_ratio};
+  answer::CertificateCheck::Held held{.friction = consistent.friction,
+                                      .load_case = certificate.loads->load_case,
+                                      .of_reference = acts(consistent.loads[1]),
+                                      .total = certificate.total,
+                                      .held = ranges_of(claims.held),
+                                      .none = ranges_of(claims.none)};
+  if (except_large) held.displacement_ratio = verify::largest_displacement_ratio;
   if (!claims.grip) return held;
-  held.grip = {claims.grip->below, claims.grip->above, {}};
+  const auto proved = [](double value) { return support::Bound{value, support::Standing::proved}; };
+  auto& [sum, sums_of_states] = held.grip.emplace();
+  if (claims.grip->below > 0) sum.lower = proved(claims.grip->below);
+  if (claims.grip->above) sum.upper = proved(*claims.grip->above);
   if (const auto& states = claims.grip->states)
-    held.grip->states = answer::CertificateCheck::Range{states->low, states->high};
+    sums_of_states = support::Bracket::proved(states->low, states->high);
   return held;
 }
 

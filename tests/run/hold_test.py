@@ -249,7 +249,31 @@ class Hold(KusabiCase):
             for end in ("low", "high"):
                 if each[end] is not None and each[f"{end}_out"] is None:
                     self.assertFalse(each[f"{end}_out_proved"])
-                    self.assertEqual(result["result"]["outside"], "computed")
+                    self.assertEqual((result["result"]["open"], result["result"]["outside"]), (True, None))
+
+    def test_factors_are_complete_if_the_search_ends_with_the_grip_range(self):
+        claims = set()
+        for nodes in range(1, 100):
+            result = self.solve("hold", "ladder.toml", "--mu", 0.4, "--grip", "--node-limit", nodes)
+            answer, verdict = result["result"], result["verdict"]
+            if result["status"] == "solved":
+                self.assertIn("grip", answer)
+                break
+            claims.add(answer["open"])
+            self.assertNotIn("grip", answer)
+            self.assertEqual((verdict["nodes_left"], verdict["missing"]),
+                             (None, ["The range of the sum of the normal reactions is not known."]))
+            self.assertEqual(answer["outside"], None if answer["open"] else "proved")
+            self.assertEqual("none below" in verdict["sentence"], not answer["open"])
+            self.assertEqual("not known" in verdict["sentence"], answer["open"])
+        self.assertEqual((result["status"], claims), ("solved", {False, True}))
+
+    def test_there_is_no_claim_about_other_factors_where_all_are_held(self):
+        result = self.solve("hold", "ladder.toml", "--mu", "0.4,1.4")["result"]
+        self.assertEqual([point["outside"] for point in result["points"]], ["proved", None])
+        alone = self.problem(LADDER.split("[[loads]]\nkind = \"reference\"")[0])
+        for mu, outside in ((0.34, None), (0.33, "proved")):
+            self.assertEqual(self.solve("hold", alone, "--mu", mu)["result"]["outside"], outside)
 
     def test_the_load_case_is_named(self):
         cases = LADDER.replace('kind = "reference"', 'kind = "reference"\ncase = "climb"')
