@@ -31,18 +31,25 @@ void reserve(const HoldingBracket& found, engine::Status ended, std::vector<Rese
 void reserve(const HoldingFactors& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const HoldingSweep& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const HoldingDiagram& found, engine::Status ended, std::vector<Reservation>& all);
-void reserve(const FrictionSteps& found, std::vector<Reservation>& all);
+void reserve(const FrictionSteps& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const MemberLoss& found, engine::Status ended, std::vector<Reservation>& all);
-void reserve(const LoadSteps& found, std::vector<Reservation>& all);
+void reserve(const LoadSteps& found, engine::Status ended, std::vector<Reservation>& all);
 void reserve(const MixedOptimum& found, engine::Status ended, std::vector<Reservation>& all);
-void reserve(const CertificateCheck& found, std::vector<Reservation>& all);
+void reserve(const CertificateCheck& found, engine::Status ended, std::vector<Reservation>& all);
+
+/// "It cannot stick below friction coefficient 0.3; at 0.31 it can." @pre a bound is known
+/// @param ability "stick" @param maximum of the search @param wide wider than requested, or not
+/// complete
+std::string friction_sentence(const std::string& ability, const Bracket& bracket, bool factor,
+                              double maximum, bool wide);
+
+/// Adds the coefficients up to the maximum at which it is undecided whether it has the ability.
+void reserve_undecided(const std::string& ability, const Bracket& bracket, double maximum,
+                       std::vector<Reservation>& all);
 
 /// The range of sums of normal reactions.
 std::string grip_sentence(const HoldingGrip& grip);
-
-/// Of an open bracket: its inside is not known. Empty if the bracket is as narrow as requested.
-const char* in_between(bool wide, engine::Status ended);
 
 /// " except a-b c-d (kept)": members that are not lost; empty if there are none.
 std::string except_kept(const std::vector<std::string>& members);

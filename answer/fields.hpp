@@ -9,17 +9,11 @@
 //   };
 #pragma once
 
-#include <array>
-#include <concepts>
-#include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
-#include <utility>
-#include <variant>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -93,22 +87,6 @@ constexpr const char* title_of() {
   }
 }
 
-/// An enumeration with `names_of(E)`, an array of the names of its values in their order.
-template <class E>
-concept HasNames = std::is_enum_v<E> && requires(E value) {
-  names_of(value).at(0);
-};
-
-template <HasNames E>
-constexpr auto names() {
-  return names_of(E{});
-}
-
-template <HasNames E>
-constexpr std::string_view name_of(E value) {
-  return names<E>().at(static_cast<std::size_t>(value));
-}
-
 /// A struct with `static constexpr const char* kind`, which becomes its first key.
 template <class T>
 concept HasKind = requires {
@@ -121,14 +99,6 @@ template <class T>
 inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
-template <class T>
-inline constexpr bool is_variant = false;
-template <class... T>
-inline constexpr bool is_variant<std::variant<T...>> = true;
-template <class T>
-inline constexpr bool is_map = false;
-template <class T>
-inline constexpr bool is_map<std::map<std::string, T>> = true;
 template <class T>
 inline constexpr bool is_vector = false;
 template <class T>
@@ -154,9 +124,7 @@ bool is_empty(const T& value) {
 template <class T>
 nlohmann::ordered_json written(const T& value) {
   using nlohmann::ordered_json;
-  if constexpr (std::is_same_v<T, ordered_json>) {
-    return value;
-  } else if constexpr (std::is_same_v<T, double>) {
+  if constexpr (std::is_same_v<T, double>) {
     return number_or_null(value);
   } else if constexpr (std::is_same_v<T, support::ExactCount>) {
     const auto number = value.number();
@@ -165,12 +133,6 @@ nlohmann::ordered_json written(const T& value) {
     return name_of(value);
   } else if constexpr (detail::is_optional<T>) {
     return value ? written(*value) : ordered_json();
-  } else if constexpr (detail::is_variant<T>) {
-    return std::visit([](const auto& each) { return written(each); }, value);
-  } else if constexpr (detail::is_map<T>) {
-    auto json = ordered_json::object();
-    for (const auto& [key, each] : value) json[key] = written(each);
-    return json;
   } else if constexpr (detail::is_vector<T>) {
     auto json = ordered_json::array();
     for (const auto& each : value) json.push_back(written(each));
@@ -184,12 +146,10 @@ nlohmann::ordered_json written(const T& value) {
     };
     std::apply([&](const auto&... each) { (add(each), ...); }, FieldsOf<T>::list());
     return json;
-  } else if constexpr (std::is_constructible_v<ordered_json, T> && !std::is_class_v<T>) {
-    return ordered_json(value);
-  } else if constexpr (std::is_same_v<T, std::string>) {
-    return ordered_json(value);
   } else {
-    return nullptr;  // is not part of a file
+    static_assert(std::is_arithmetic_v<T> || std::is_same_v<T, std::string>,
+                  "the type has no form in files");
+    return value;
   }
 }
 

@@ -95,48 +95,28 @@ std::string headline_of(const HoldingBracket& found, engine::Status ended) {
   if (!lower && !upper)
     return fmt::format("The smallest friction coefficient at which it can hold {} is not known.",
                        load);
-  if (!upper) {
-    return fmt::format("It cannot hold {} up to friction coefficient {}{}{}{}.", load,
-                       support::rounded_down(lower->value), of_each_candidate(found.factor),
-                       unless_proved(lower->standing),
-                       lower->value < found.maximum ? "; above it, this is not known" : "");
-  }
-  if (upper->value == 0)
+  if (upper && upper->value == 0)
     return fmt::format("It can hold {} without friction{}.", load, unless_proved(upper->standing));
-  if (!lower) {
-    return fmt::format(
-        "It can hold {} at friction coefficient {}{}{}; below it, this is not known.", load,
-        support::rounded_up(upper->value), of_each_candidate(found.factor),
-        unless_proved(upper->standing));
-  }
-  const auto shown = support::in_sentence(lower->value, upper->value);
-  return fmt::format("It cannot hold {} below friction coefficient {}{}{}; at {} it can{}{}.", load,
-                     shown.lower, of_each_candidate(found.factor), unless_proved(lower->standing),
-                     shown.upper, unless_proved(upper->standing), in_between(false, ended));
+  return friction_sentence("hold " + load, found.bracket, found.factor, found.maximum,
+                           ended != engine::Status::solved);
 }
 
 void reserve(const HoldingBracket& found, engine::Status /*ended*/, std::vector<Reservation>& all) {
   const auto& [lower, upper] = found.bracket;
   if (found.reason != HoldReason::searched) return;
-  if (!upper && (!lower || lower->value < found.maximum)) {
-    all.push_back(
-        {fmt::format("It is undecided whether it can hold the dead load at friction coefficients "
-                     "between {:.12g} and {:.12g}.",
-                     lower ? lower->value : 0, found.maximum),
-         true});
-  }
+  reserve_undecided("hold the dead load", found.bracket, found.maximum, all);
   if (upper && upper->value > 0 && !lower)
     all.push_back({"A coefficient at which it cannot hold the dead load is not known.", true});
   if (lower && lower->standing == Standing::computed) {
-    all.push_back({fmt::format("Computed, not proved: it cannot hold the dead load at {:.12g}.",
-                               lower->value),
+    all.push_back({fmt::format("Computed, not proved: it cannot hold the dead load at {}.",
+                               support::rounded_down(lower->value, support::digits_of_table)),
                    true});
   }
   if (upper && upper->standing == Standing::computed) {
-    all.push_back({fmt::format("Computed, not proved: it can hold the dead load at {:.12g}; some "
+    all.push_back({fmt::format("Computed, not proved: it can hold the dead load at {}; some "
                                "inequality may hold only within the rounding of the file's "
                                "numbers.",
-                               upper->value),
+                               support::rounded_up(upper->value, support::digits_of_table)),
                    false});
   }
 }
@@ -270,7 +250,7 @@ std::string grip_sentence(const HoldingGrip& grip) {
 
 namespace {
 
-void reserve(const HoldingGrip& grip, std::vector<Reservation>& all) {
+void reserve_range(const HoldingGrip& grip, std::vector<Reservation>& all) {
   const auto computed = [](const std::optional<Bound>& bound) {
     return !bound || bound->standing == Standing::computed;
   };
@@ -298,7 +278,7 @@ void reserve(const HoldingSweep& found, engine::Status ended, std::vector<Reserv
 }
 
 void reserve(const HoldingFactors& found, engine::Status ended, std::vector<Reservation>& all) {
-  if (found.grip) reserve(*found.grip, all);
+  if (found.grip) reserve_range(*found.grip, all);
   if (found.open && ended == engine::Status::solved) {
     all.push_back(
         {"Some sign patterns are undecided; load factors that only they hold may be missing.",

@@ -303,7 +303,7 @@ std::string headline_of(const LoadSteps& found, engine::Status /*ended*/) {
          guaranteed(found) + '.';
 }
 
-void reserve(const LoadSteps& found, std::vector<Reservation>& all) {
+void reserve(const LoadSteps& found, engine::Status /*ended*/, std::vector<Reservation>& all) {
   if (found.points < found.points_asked) {
     all.push_back(
         {fmt::format("{} of {} points were computed.", found.points, found.points_asked), true});

@@ -17,6 +17,12 @@ std::string bound_text(const MixedOptimum& found) {
                   : "not known");
 }
 
+// "alpha = 3"
+std::string loads_claim(const LoadRange& loads) {
+  return loads.half_width ? fmt::format("alpha = {}", *loads.half_width)
+                          : "uncertain loads within these half-widths";
+}
+
 // " for displacements up to 1e+06 times the strains"; empty: for all.
 std::string for_displacements(std::optional<double> ratio) {
   return ratio ? fmt::format(" for displacements up to {:.2g} times the strains", *ratio) : "";
@@ -47,8 +53,7 @@ std::string no_certificate(const std::string& why) {
 }
 
 std::string factor_claim(const CertificateCheck::Factor& factor) {
-  auto loads = factor.loads.half_width ? fmt::format("alpha = {}", *factor.loads.half_width)
-                                       : std::string("uncertain loads within these half-widths");
+  auto loads = loads_claim(factor.loads);
   if (factor.cases > 1) loads += fmt::format(" in these {} load cases", factor.cases);
   if (factor.at_none) {
     return fmt::format("for {} some admissible load is carried at no load factor", loads);
@@ -149,9 +154,7 @@ std::string of_held(const CertificateCheck::Held& held) {
 
 // "admissible load (alpha = 3)"
 std::string admissible(const CertificateCheck::Loss& loss, const char* load) {
-  return fmt::format("admissible {} ({})", load,
-                     loss.loads.half_width ? fmt::format("alpha = {}", *loss.loads.half_width)
-                                           : "uncertain loads within these half-widths");
+  return fmt::format("admissible {} ({})", load, loads_claim(loss.loads));
 }
 
 // " and under every admissible load (alpha = 3)"; empty: the dead load is certain
@@ -263,7 +266,8 @@ std::string headline_of(const CertificateCheck& found, engine::Status ended) {
   return "NOT PROVED";
 }
 
-void reserve(const CertificateCheck& found, std::vector<Reservation>& all) {
+void reserve(const CertificateCheck& found, engine::Status /*ended*/,
+             std::vector<Reservation>& all) {
   if (const auto* const held = std::get_if<CertificateCheck::Held>(&found.claim)) {
     const bool grip = held->grip && held->grip->says_something();
     if (found.refusals == 0 && held->held.empty() && held->none.empty() && !grip)

@@ -28,10 +28,6 @@ template <class T>
 struct Element<std::vector<T>> {
   using type = T;
 };
-template <class T>
-struct Element<std::map<std::string, T>> {
-  using type = T;
-};
 
 // "number" becomes ["number", "null"]; other descriptions an alternative to null.
 inline nlohmann::ordered_json or_null(nlohmann::ordered_json schema) {
@@ -78,9 +74,7 @@ nlohmann::ordered_json object_schema(nlohmann::ordered_json& definitions, bool c
 template <class T>
 nlohmann::ordered_json schema_of(nlohmann::ordered_json& definitions) {
   using nlohmann::ordered_json;
-  if constexpr (std::is_same_v<T, ordered_json>) {
-    return ordered_json::object();
-  } else if constexpr (std::is_same_v<T, bool>) {
+  if constexpr (std::is_same_v<T, bool>) {
     return {{"type", "boolean"}};
   } else if constexpr (std::is_same_v<T, double>) {
     return {{"type", "number"}};
@@ -89,16 +83,13 @@ nlohmann::ordered_json schema_of(nlohmann::ordered_json& definitions) {
   } else if constexpr (std::is_same_v<T, support::ExactCount>) {
     return {{"type", {"integer", "string"}}, {"minimum", 0}, {"pattern", "^[0-9]{16,}$"}};
   } else if constexpr (HasNames<T>) {
-    return {{"enum", names<T>()}};
+    return {{"enum", names_of(T{})}};
   } else if constexpr (std::is_unsigned_v<T>) {
     return {{"type", "integer"}, {"minimum", 0}};
   } else if constexpr (std::is_integral_v<T>) {
     return {{"type", "integer"}};
   } else if constexpr (detail::is_optional<T>) {
     return detail::or_null(schema_of<typename detail::Element<T>::type>(definitions));
-  } else if constexpr (detail::is_map<T>) {
-    return {{"type", "object"},
-            {"additionalProperties", schema_of<typename detail::Element<T>::type>(definitions)}};
   } else if constexpr (detail::is_vector<T>) {
     return {{"type", "array"},
             {"items", schema_of<typename detail::Element<T>::type>(definitions)}};

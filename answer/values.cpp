@@ -8,7 +8,7 @@
 namespace kusabi::answer {
 
 std::string status_name(engine::Status status) {
-  return std::string(names_of(status).at(static_cast<std::size_t>(status)));
+  return std::string(name_of(status));
 }
 
 nlohmann::ordered_json number_or_null(std::optional<double> value) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include <nlohmann/json.hpp>
 
@@ -22,6 +24,17 @@ constexpr std::array<std::string_view, 6> names_of(engine::Status /*type*/) {
 
 constexpr std::array<std::string_view, 2> names_of(support::Standing /*type*/) {
   return {"computed", "proved"};
+}
+
+/// An enumeration with `names_of(E)`, an array of the names of its values in their order.
+template <class E>
+concept HasNames = std::is_enum_v<E> && requires(E value) {
+  names_of(value).at(0);
+};
+
+template <HasNames E>
+constexpr std::string_view name_of(E value) {
+  return names_of(E{}).at(static_cast<std::size_t>(value));
 }
 
 std::string status_name(engine::Status status);

@@ -51,7 +51,14 @@ nlohmann::ordered_json verdict_json(const Verdict& verdict) {
 }
 
 nlohmann::ordered_json answer_json(const Verdict& verdict) {
-  return written(verdict.answer);
+  return std::visit(
+      []<class Answer>(const Answer& answer) -> nlohmann::ordered_json {
+        if constexpr (HasKind<Answer>)
+          return written(answer);
+        else
+          return nullptr;
+      },
+      verdict.answer);
 }
 
 namespace {

@@ -41,10 +41,6 @@ void reserve(const ExactRemainder& remainder, std::vector<Reservation>& all) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 bool is_complete(const Sticking& found, engine::Status ended) {
   return ended == engine::Status::solved && found.undecided == 0 && !found.ambiguous &&
          !found.remainder;
@@ -115,50 +111,59 @@ void reserve(const Sticking& found, engine::Status ended, std::vector<Reservatio
     reserve_large_displacements(found.displacement_ratio, all);
 }
 
-std::string headline_of(const CriticalBracket& found, engine::Status ended) {
-  const auto& [lower, upper] = found.bracket;
-  if (!lower && !upper)
-    return fmt::format("The {} from which it can stick is not known.", coefficient);
+std::string friction_sentence(const std::string& ability, const Bracket& bracket, bool factor,
+                              double maximum, bool wide) {
+  const auto& [lower, upper] = bracket;
+  const char* const each = of_each_candidate(factor);
   if (!upper) {
-    return fmt::format("It cannot stick up to {} {}{}{}{}.", coefficient,
-                       support::rounded_down(lower->value), of_each_candidate(found.factor),
-                       unless_proved(lower->standing),
-                       lower->value < found.maximum ? "; above it, this is not known" : "");
+    return fmt::format("It cannot {} up to {} {}{}{}{}.", ability, coefficient,
+                       support::rounded_down(lower->value), each, unless_proved(lower->standing),
+                       lower->value < maximum ? "; above it, this is not known" : "");
   }
   if (!lower) {
-    return fmt::format("It can stick at {} {}{}{}; below it, this is not known.", coefficient,
-                       support::rounded_up(upper->value), of_each_candidate(found.factor),
-                       unless_proved(upper->standing));
+    return fmt::format("It can {} at {} {}{}{}; below it, this is not known.", ability, coefficient,
+                       support::rounded_up(upper->value), each, unless_proved(upper->standing));
   }
   const auto shown = support::in_sentence(lower->value, upper->value);
-  return fmt::format("It cannot stick below {} {}{}{}; at {} it can{}{}.", coefficient, shown.lower,
-                     of_each_candidate(found.factor), unless_proved(lower->standing), shown.upper,
-                     unless_proved(upper->standing), in_between(found.wide, ended));
+  return fmt::format("It cannot {} below {} {}{}{}; at {} it can{}{}.", ability, coefficient,
+                     shown.lower, each, unless_proved(lower->standing), shown.upper,
+                     unless_proved(upper->standing), wide ? "; in between, this is not known" : "");
+}
+
+void reserve_undecided(const std::string& ability, const Bracket& bracket, double maximum,
+                       std::vector<Reservation>& all) {
+  const double lower = bracket.lower ? bracket.lower->value : 0;
+  if (bracket.upper || lower >= maximum) return;
+  all.push_back(
+      {fmt::format("It is undecided whether it can {} at {}s between {} and {:.12g}.", ability,
+                   coefficient, support::rounded_down(lower, support::digits_of_table), maximum),
+       true});
+}
+
+std::string headline_of(const CriticalBracket& found, engine::Status ended) {
+  if (!found.bracket.lower && !found.bracket.upper)
+    return fmt::format("The {} from which it can stick is not known.", coefficient);
+  return friction_sentence("stick", found.bracket, found.factor, found.maximum,
+                           found.wide || ended != engine::Status::solved);
 }
 
 void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Reservation>& all) {
   const auto& [lower, upper] = found.bracket;
   const bool solved = ended == engine::Status::solved;
-  if (!upper && (!lower || lower->value < found.maximum)) {
-    all.push_back({fmt::format("It is undecided whether it can stick at {}s between {:.12g} and "
-                               "{:.12g}.",
-                               coefficient, lower ? lower->value : 0, found.maximum),
-                   true});
-  }
+  reserve_undecided("stick", found.bracket, found.maximum, all);
   if (found.wide && upper) {
     all.push_back({fmt::format("The bracket is {:.2g} wide, wider than requested ({:g}).",
                                upper->value - (lower ? lower->value : 0), found.width),
                    true});
   }
   if (lower && !is_proved(lower)) {
-    all.push_back(
-        {fmt::format("Computed, not proved in exact arithmetic: it cannot stick at {:.12g}.",
-                     lower->value),
-         true});
+    all.push_back({fmt::format("Computed, not proved in exact arithmetic: it cannot stick at {}.",
+                               support::rounded_down(lower->value, support::digits_of_table)),
+                   true});
   }
   if (upper && !is_proved(upper)) {
-    const auto claim = fmt::format(
-        "Computed, not proved in exact arithmetic: it can stick at {:.12g}", upper->value);
+    const auto claim = fmt::format("Computed, not proved in exact arithmetic: it can stick at {}",
+                                   support::rounded_up(upper->value, support::digits_of_table));
     all.push_back({solved ? claim + "; some inequality may hold only as an equality, or within the "
                                     "rounding of the file's numbers."
                           : claim + '.',
@@ -172,8 +177,9 @@ void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Res
   if (is_proved(lower) || is_proved(upper))
     reserve_large_displacements(found.displacement_ratio, all);
   if (found.patterns_open) {
-    all.push_back({fmt::format("The patterns that stick at {:.12g} were not determined.",
-                               upper ? upper->value : found.maximum),
+    all.push_back({fmt::format("The patterns that stick at {} were not determined.",
+                               support::rounded_up(upper ? upper->value : found.maximum,
+                                                   support::digits_of_table)),
                    true});
   }
 }
@@ -226,7 +232,7 @@ std::string headline_of(const FrictionSteps& found, engine::Status /*ended*/) {
       unless_proved(standing));
 }
 
-void reserve(const FrictionSteps& found, std::vector<Reservation>& all) {
+void reserve(const FrictionSteps& found, engine::Status /*ended*/, std::vector<Reservation>& all) {
   if (found.remainder) reserve(*found.remainder, all);
   if (!found.infeasible) {
     all.push_back(

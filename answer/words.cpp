@@ -32,15 +32,11 @@ std::string early_end(const Verdict& verdict) {
 }  // namespace
 
 const char* standing_word(Standing standing) {
-  return names_of(standing).at(static_cast<std::size_t>(standing)).data();
+  return name_of(standing).data();
 }
 
 const char* in_brackets(Standing standing) {
   return standing == Standing::proved ? "(proved)" : "(computed, not proved)";
-}
-
-const char* in_between(bool wide, engine::Status ended) {
-  return wide || ended != engine::Status::solved ? "; in between, this is not known" : "";
 }
 
 const char* unless_proved(Standing standing) {
@@ -65,12 +61,8 @@ std::vector<Reservation> reservations(const Verdict& verdict) {
     all.push_back({.sentence = early_end(verdict), .open = true});
   std::visit(
       [&](const auto& found) {
-        using Found = std::remove_cvref_t<decltype(found)>;
-        if constexpr (requires { reserve(found, verdict.ended, all); }) {
+        if constexpr (!answers_nothing<std::remove_cvref_t<decltype(found)>>)
           reserve(found, verdict.ended, all);
-        } else if constexpr (!answers_nothing<Found>) {
-          reserve(found, all);
-        }
       },
       verdict.answer);
   // An output that a finished run could not make, such as the certificate of a computed bound,

@@ -63,11 +63,6 @@ std::string rounded(double number, int places, int digits, int way) {
   return trimmed(std::move(text));
 }
 
-ShownBracket to(double lower, double upper, int digits) {
-  const int places = std::max(places_of(lower, digits), places_of(upper, digits));
-  return {rounded(lower, places, digits, -1), rounded(upper, places, digits, 1)};
-}
-
 }  // namespace
 
 std::string rounded_down(double number, int digits) {
@@ -79,7 +74,8 @@ std::string rounded_up(double number, int digits) {
 }
 
 ShownBracket in_sentence(double lower, double upper, int digits) {
-  return to(lower, upper, digits);
+  const int places = std::max(places_of(lower, digits), places_of(upper, digits));
+  return {rounded(lower, places, digits, -1), rounded(upper, places, digits, 1)};
 }
 
 ShownBracket inside(double low, double high, int digits) {
@@ -92,7 +88,7 @@ ShownBracket inside(double low, double high, int digits) {
 
 ShownBracket in_table(double lower, double upper) {
   for (int digits = digits_of_table; digits < all_digits; ++digits) {
-    auto shown = to(lower, upper, digits);
+    auto shown = in_sentence(lower, upper, digits);
     if (value_of(shown.upper) - value_of(shown.lower) <= 2 * (upper - lower)) return shown;
   }
   return {fmt::format("{}", lower), fmt::format("{}", upper)};

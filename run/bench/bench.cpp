@@ -21,7 +21,6 @@
 #include <boost/serialization/vector.hpp>
 #include <fmt/format.h>
 
-#include "answer/exit_code.hpp"
 #include "engine/collectives.hpp"
 #include "engine/search.hpp"
 #include "engine/simulation.hpp"
@@ -145,8 +144,8 @@ benchmark::RecordedTree recorded(const std::string& file) {
   }
 }
 
-// Runs the command. @return the exit code
-int bench_scaling(Session& session, const BenchScalingOptions& options) {
+// Runs the command. @return true: it has no reference
+bool bench_scaling(Session& session, const BenchScalingOptions& options) {
   if (session.ranks() > 1) {
     throw WrongInput(
         "kusabi bench scaling: was started on several ranks, but simulates all in one process; "
@@ -169,7 +168,7 @@ int bench_scaling(Session& session, const BenchScalingOptions& options) {
     const auto& standard = benchmark::standard_tree(options.tree);
     of_equal_nodes(benchmark::UnbalancedTree(standard.parameters), standard.counts.nodes);
   }
-  return answer::solved;
+  return true;
 }
 
 struct BenchSchedulesOptions {
@@ -275,8 +274,8 @@ std::string fault_or_exception(std::uint64_t seed) {
 
 // Simulates one search per seed, with machine, tree and goal drawn from the seed, and compares it
 // with the search on one rank.
-// @return the exit code; 1 if any search differs, with one line each
-int bench_schedules(Session& session, const BenchSchedulesOptions& options) {
+// @return false if any search differs, with one line each
+bool bench_schedules(Session& session, const BenchSchedulesOptions& options) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::seconds interval{5};
   auto next_line = Clock::now() + interval;
@@ -299,7 +298,7 @@ int bench_schedules(Session& session, const BenchSchedulesOptions& options) {
   }
   fmt::print("{} schedules{}, {} failed\n", tried,
              step == 1 ? "" : fmt::format(" on rank {}", session.transport().rank()), failed_seeds);
-  return failed_seeds == 0 ? answer::solved : answer::failed;
+  return failed_seeds == 0;
 }
 
 struct BenchUtsOptions {
@@ -498,9 +497,9 @@ void print_speed(double seconds, std::uint64_t opened, const std::vector<double>
 }
 
 // Runs the command on all ranks.
-// @return the exit code: `failed` if the counts are not the published ones
+// @return false if the counts are not the published ones
 // @throws std::out_of_range if there is no tree of that name
-int bench_uts(Session& session, const BenchUtsOptions& options) {
+bool bench_uts(Session& session, const BenchUtsOptions& options) {
   const auto& standard = benchmark::standard_tree(options.tree);
   bool right = true;
   double least = std::numeric_limits<double>::infinity();
@@ -521,7 +520,7 @@ int bench_uts(Session& session, const BenchUtsOptions& options) {
       fastest = std::move(outcome);
     }
   }
-  if (!session.is_first()) return right ? answer::solved : answer::failed;
+  if (!session.is_first()) return right;
 
   print_ranks(fastest);
   fmt::print("\n");
@@ -529,14 +528,14 @@ int bench_uts(Session& session, const BenchUtsOptions& options) {
   if (!right) fmt::print("WRONG: the counts of some round differ\n");
   fmt::print("\n");
   print_speed(least, fastest.opened(), ratios, session.ranks() == 1);
-  return right ? answer::solved : answer::failed;
+  return right;
 }
 
 // A measurement reads no files and prints as it runs.
 class Bench : public Subcommand {
  public:
   void search(CommandRun& run) final {
-    const bool good = measure(run.session()) == answer::solved;
+    const bool good = measure(run.session());
     // A reduction adds: the number of ranks on which a measurement failed.
     const auto all =
         engine::all_reduce(run.session().transport(), {.ranks = 1, .found = good ? 0U : 1U});
@@ -548,8 +547,8 @@ class Bench : public Subcommand {
   }
 
  protected:
-  /// @return the exit code of this rank
-  virtual int measure(Session& session) = 0;
+  /// @return true if this rank agrees with the reference
+  virtual bool measure(Session& session) = 0;
 
  private:
   bool agrees_ = true;
@@ -601,7 +600,7 @@ class Scaling final : public Bench {
   }
 
  private:
-  int measure(Session& session) override { return bench_scaling(session, options_); }
+  bool measure(Session& session) override { return bench_scaling(session, options_); }
   BenchScalingOptions options_;
 };
 
@@ -614,7 +613,7 @@ class Schedules final : public Bench {
   }
 
  private:
-  int measure(Session& session) override { return bench_schedules(session, options_); }
+  bool measure(Session& session) override { return bench_schedules(session, options_); }
   BenchSchedulesOptions options_;
 };
 
@@ -633,7 +632,7 @@ class Uts final : public Bench {
   }
 
  private:
-  int measure(Session& session) override { return bench_uts(session, options_); }
+  bool measure(Session& session) override { return bench_uts(session, options_); }
   BenchUtsOptions options_;
 };
 

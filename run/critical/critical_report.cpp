@@ -26,9 +26,7 @@ ordered_json entry_json(const problems::WedgedProblem& problem, const wedged::Cr
   if (entry.reaction.empty()) return json;
   json["reaction"] = block_rows(problem, entry.block, entry.reaction);
   if (whole == nullptr) return json;
-  json["displacement"] = block_rows(problem, entry.block, entry.displacement);
-  whole->add_to(json, of_all_candidates(problem, entry.block, entry.reaction),
-                of_all_candidates(problem, entry.block, entry.displacement));
+  whole->add_to(json, entry.block, entry.reaction, entry.displacement);
   return json;
 }
 

@@ -159,16 +159,11 @@ void write_whole(OutputFile& whole, const std::string& header,
   Writer writer(whole.stream());
   writer.add(header);
   std::uint64_t count = 0;
-  std::string line;
-  for (const auto& part : parts) {
-    std::ifstream file(part, std::ios::binary);
-    if (!file) throw std::runtime_error(part + ": cannot be read");
-    next_line(file, line);  // fingerprint of its tree
-    while (next_line(file, line)) {
-      writer.add(line + '\n');
-      ++count;
-    }
-  }
+  read_parts(parts, [&](std::string_view line) {
+    writer.add(line);
+    writer.add("\n");
+    ++count;
+  });
   writer.add(fmt::format("end {}\n", count));
   writer.end();
   whole.put_in_place();

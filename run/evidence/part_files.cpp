@@ -120,6 +120,17 @@ std::vector<std::string> parts_of_finished(const PartsOwner& owner) {
   return files;
 }
 
+void read_parts(const std::vector<std::string>& parts,
+                const std::function<void(std::string_view)>& take) {
+  std::string line;
+  for (const auto& part : parts) {
+    std::ifstream file(part, std::ios::binary);
+    if (!file) throw std::runtime_error(part + ": cannot be read");
+    next_line(file, line);  // fingerprint of its tree
+    while (next_line(file, line)) take(line);
+  }
+}
+
 void remove_parts(const std::string& name) {
   std::error_code nothing_to_be_done;
   try {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <istream>
 #include <string>
 #include <string_view>
@@ -31,6 +32,11 @@ bool next_line(std::istream& file, std::string& line);
 /// Names of the part files of NAME of a finished search, in the order of its runs and ranks.
 /// @throws std::runtime_error if one belongs to another tree
 std::vector<std::string> parts_of_finished(const PartsOwner& owner);
+
+/// Calls `take` with each whole line of the parts but their first.
+/// @throws std::runtime_error if one cannot be read
+void read_parts(const std::vector<std::string>& parts,
+                const std::function<void(std::string_view)>& take);
 
 /// Removes all parts that can be removed.
 void remove_parts(const std::string& name);

@@ -246,19 +246,6 @@ void ExportMps::write(std::ostream& out) const {
   write_mps(out, program(), comments());
 }
 
-}  // namespace
-
-constexpr Registration export_mps_subcommand{
-    {.name = "export mps",
-     .chapter = "Files for other solvers",
-     .purpose = "programs of limit analysis, as free MPS",
-     .description =
-         "The programs of limit analysis as free MPS, for solvers of (0-1) linear programs.",
-     .example = "examples/gust.toml --alpha 0.5 --output gust.mps"},
-    make<ExportMps>};
-
-namespace {
-
 using Names = std::vector<std::string>;
 
 class ExportCbf final : public ExportedFile {
@@ -346,20 +333,6 @@ void ExportCbf::write(std::ostream& out) const {
       comments(unit));
 }
 
-}  // namespace
-
-constexpr Registration export_cbf_subcommand{
-    {.name = "export cbf",
-     .chapter = "Files for other solvers",
-     .purpose = "cone program of one node of the tree, as CBF",
-     .description =
-         "The cone program of one node of the tree of sign patterns in the Conic Benchmark "
-         "Format, for solvers of second-order cone programs.",
-     .example = "examples/two-bars.toml --mu 2 --output node.cbf"},
-    make<ExportCbf>};
-
-namespace {
-
 enum class Matrix { stiffness, compliance };
 
 class ExportMatrix final : public ExportedFile {
@@ -428,6 +401,25 @@ void ExportMatrix::write(std::ostream& out) const {
 }
 
 }  // namespace
+
+constexpr Registration export_mps_subcommand{
+    {.name = "export mps",
+     .chapter = "Files for other solvers",
+     .purpose = "programs of limit analysis, as free MPS",
+     .description =
+         "The programs of limit analysis as free MPS, for solvers of (0-1) linear programs.",
+     .example = "examples/gust.toml --alpha 0.5 --output gust.mps"},
+    make<ExportMps>};
+
+constexpr Registration export_cbf_subcommand{
+    {.name = "export cbf",
+     .chapter = "Files for other solvers",
+     .purpose = "cone program of one node of the tree, as CBF",
+     .description =
+         "The cone program of one node of the tree of sign patterns in the Conic Benchmark "
+         "Format, for solvers of second-order cone programs.",
+     .example = "examples/two-bars.toml --mu 2 --output node.cbf"},
+    make<ExportCbf>};
 
 constexpr Registration export_matrix_subcommand{
     {.name = "export matrix",

@@ -36,9 +36,9 @@ void write_intervals(CsvWriter& csv, const wedged::LoadedProblem& loaded,
     std::size_t number = 0;
     for (const auto& each : point.factors.intervals) {
       if (several) csv.number(point.mu);
-      csv.count(++number).number(each.low.value).number(each.high.value);
+      csv.count(++number).number(each.low).number(each.high);
       const auto outside = both(each.low_out.standing, each.high_out.standing);
-      csv.word(answer::standing_word(both(each.held(), outside)));
+      csv.word(answer::standing_word(both(each.standing, outside)));
       if (each.pattern)
         csv.text(contact_of(loaded, each.block, each.pattern)).end_row();
       else

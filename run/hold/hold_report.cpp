@@ -60,9 +60,7 @@ std::string coefficient_text(const support::Bracket& bracket) {
   return fmt::format("between {} and {}", shown.lower, shown.upper);
 }
 
-std::string end_text(const support::Bound& end, const support::Bound& beyond, bool upward) {
-  const double held = end.value;
-  const double out = beyond.value;
+std::string end_text(double held, double out, bool upward) {
   if (std::isinf(held)) return "no end";
   if (held == out) return fmt::format("{:.12g}", held);
   const auto shown = upward ? support::in_table(held, out) : support::in_table(out, held);
@@ -152,9 +150,9 @@ namespace {
 
 std::string interval_row(const wedged::LoadedProblem& loaded, const std::string& first,
                          const wedged::HeldInterval& each) {
-  return fmt::format("{}  {:>18}  {:>18}  {}\n", first, end_text(each.low, each.low_out, false),
-                     end_text(each.high, each.high_out, true),
-                     contact_of(loaded, each.block, each.pattern));
+  return fmt::format(
+      "{}  {:>18}  {:>18}  {}\n", first, end_text(each.low, each.low_out.value, false),
+      end_text(each.high, each.high_out.value, true), contact_of(loaded, each.block, each.pattern));
 }
 
 std::string interval_head(const std::string& first) {

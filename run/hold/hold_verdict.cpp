@@ -18,10 +18,12 @@ namespace kusabi::run {
 namespace {
 
 // The end at `held`, with a factor beyond it that is not held; nothing for an end at infinity.
-support::Bracket end_of(const support::Bound& held, const support::Bound& out, bool upward) {
-  if (std::isinf(held.value)) return {};
+support::Bracket end_of(double held, const support::Bound& out, support::Standing standing,
+                        bool upward) {
+  if (std::isinf(held)) return {};
+  const support::Bound end{held, standing};
   const auto outside = std::isfinite(out.value) ? std::optional(out) : std::nullopt;
-  return upward ? support::Bracket{held, outside} : support::Bracket{outside, held};
+  return upward ? support::Bracket{end, outside} : support::Bracket{outside, end};
 }
 
 answer::HoldingBracket bracket_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
@@ -64,8 +66,8 @@ answer::HoldingFactors factors_of(const HoldOptions& options, const wedged::Load
   if (found.any_by_wedging) answer.reason = answer::HoldReason::wedging;
   if (found.not_in_equilibrium) answer.reason = answer::HoldReason::unbalanced;
   for (const auto& each : found.intervals) {
-    answer.intervals.push_back({each.held(), end_of(each.low, each.low_out, false),
-                                end_of(each.high, each.high_out, true)});
+    answer.intervals.push_back({each.standing, end_of(each.low, each.low_out, each.standing, false),
+                                end_of(each.high, each.high_out, each.standing, true)});
   }
   if (!answer.open && !answer.holds_all()) answer.outside = found.outside;
   return answer;

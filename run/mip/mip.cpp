@@ -181,9 +181,7 @@ std::string MipReport::table(const Page& page) const {
                                       its.above,    its.leaves,
                                       its.programs, its.iterations};
   };
-  for (const auto& rank : found.outcome.ranks) ranks.add(rank.statistics, own(rank.tally));
-  for (const auto& rank : found.outcome.earlier)
-    ranks.add_earlier(rank.statistics, own(rank.tally));
+  ranks.add_all(found.outcome, own);
   text += '\n' + ranks.text(page.width);
   return text;
 }

@@ -56,10 +56,20 @@ void JsonWriter::end(char bracket) {
 
 void JsonWriter::end_object() {
   if (open_.size() == 1 && last_) {
-    const auto members = last_();
-    for (const auto& [name, its_value] : members.items()) member(name, its_value);
+    members(last_());
   }
   end('}');
+}
+
+void JsonWriter::begin_result(ordered_json head, const ordered_json& more) {
+  auto result = std::move(head["result"]);
+  head.erase("result");
+  result.update(more);
+  begin_object();
+  members(head);
+  key("result");
+  begin_object();
+  members(result);
 }
 
 // nlohmann::json would put each number of a list on its own line.
@@ -71,7 +81,7 @@ void JsonWriter::value(const ordered_json& value) {
   }
   if (value.is_object()) {
     begin_object();
-    for (const auto& [name, its_value] : value.items()) member(name, its_value);
+    members(value);
     end_object();
     return;
   }

@@ -47,6 +47,14 @@ class JsonWriter {
     key(name);
     value(its_value);
   }
+  /// Those of an object.
+  void members(const nlohmann::ordered_json& object) {
+    for (const auto& [name, its_value] : object.items()) member(name, its_value);
+  }
+
+  /// Begins a result file, up to further members of `result`.
+  /// @param head its first members  @param more of `result`, after those of the head
+  void begin_result(nlohmann::ordered_json head, const nlohmann::ordered_json& more);
 
  private:
   void begin(char bracket);

@@ -14,10 +14,6 @@ namespace {
 
 constexpr std::size_t min_names = 3;
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 // A name split at one of its numbers.
 struct Numbered {
   std::string_view before;

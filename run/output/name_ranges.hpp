@@ -6,6 +6,10 @@
 
 namespace kusabi::run {
 
+constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
 /// Names in order, separated by blanks; "-" if there are none. Three or more consecutive names that
 /// differ in one number, which increases by one, are written as a range: "b.1,0 b.2,0 b.3,0" is
 /// "b.1…3,0".

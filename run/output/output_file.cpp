@@ -75,6 +75,36 @@ void remove_abandoned_files(const fs::path& place) {
   }
 }
 
+std::optional<struct stat> status_of(const std::string& name) {
+  struct stat status {};
+  if (stat(name.c_str(), &status) != 0) return std::nullopt;
+  return status;
+}
+
+bool is_null_device(const struct stat& status) {
+  const auto null = status_of("/dev/null");
+  return S_ISCHR(status.st_mode) && null && S_ISCHR(null->st_mode) &&
+         status.st_rdev == null->st_rdev;
+}
+
+bool same(const std::string& one, const std::string& other) {
+  const auto first = status_of(one);
+  const auto second = status_of(other);
+  if (first && second) {
+    if (is_null_device(*first)) return false;
+    if (S_ISCHR(first->st_mode) && S_ISCHR(second->st_mode) && first->st_rdev == second->st_rdev)
+      return true;  // two names of one device
+    return first->st_dev == second->st_dev && first->st_ino == second->st_ino;
+  }
+  if (first || second) return false;
+  // Neither exists yet: they are the same if they lead to one name in one folder.
+  std::error_code error;
+  const auto place = fs::weakly_canonical(fs::absolute(one), error);
+  if (error) return false;
+  const auto other_place = fs::weakly_canonical(fs::absolute(other), error);
+  return !error && place == other_place;
+}
+
 }  // namespace
 
 OutputFile::OutputFile(const std::string& option, const std::string& name,
@@ -162,8 +192,6 @@ void OutputFile::put_in_place() {
   beside_.clear();
 }
 
-namespace fs = std::filesystem;
-
 OutputFolder::OutputFolder(std::string option, const std::string& name, std::string input)
     : option_(std::move(option)), input_(std::move(input)), place_(name) {
   if (name.empty()) return;
@@ -191,42 +219,6 @@ void OutputFolder::write(const std::string& file,
   write_to(output.stream());
   output.put_in_place();
 }
-
-namespace {
-
-namespace fs = std::filesystem;
-
-std::optional<struct stat> status_of(const std::string& name) {
-  struct stat status {};
-  if (stat(name.c_str(), &status) != 0) return std::nullopt;
-  return status;
-}
-
-bool is_null_device(const struct stat& status) {
-  const auto null = status_of("/dev/null");
-  return S_ISCHR(status.st_mode) && null && S_ISCHR(null->st_mode) &&
-         status.st_rdev == null->st_rdev;
-}
-
-bool same(const std::string& one, const std::string& other) {
-  const auto first = status_of(one);
-  const auto second = status_of(other);
-  if (first && second) {
-    if (is_null_device(*first)) return false;
-    if (S_ISCHR(first->st_mode) && S_ISCHR(second->st_mode) && first->st_rdev == second->st_rdev)
-      return true;  // two names of one device
-    return first->st_dev == second->st_dev && first->st_ino == second->st_ino;
-  }
-  if (first || second) return false;
-  // Neither exists yet: they are the same if they lead to one name in one folder.
-  std::error_code error;
-  const auto place = fs::weakly_canonical(fs::absolute(one), error);
-  if (error) return false;
-  const auto other_place = fs::weakly_canonical(fs::absolute(other), error);
-  return !error && place == other_place;
-}
-
-}  // namespace
 
 void check_outputs(const std::string& input, const std::vector<NamedFile>& outputs,
                    const std::vector<NamedFile>& others) {

@@ -26,6 +26,13 @@ class RankTable {
   /// Adds a rank of an earlier run that this one resumes.
   void add_earlier(const engine::RankStatistics& statistics, const std::vector<std::uint64_t>& own);
 
+  /// Adds the ranks of a search and of the runs that it resumes. @param own values of a tally
+  template <class Outcome, class Own>
+  void add_all(const Outcome& outcome, Own own) {
+    for (const auto& rank : outcome.ranks) add(rank.statistics, own(rank.tally));
+    for (const auto& rank : outcome.earlier) add_earlier(rank.statistics, own(rank.tally));
+  }
+
   /// One line per rank and their sum; with more than 16 ranks the minimum, mean and maximum of each
   /// column over the ranks of this run instead. Shares are relative to all opened nodes, idle time
   /// is in percent of the run time, and seconds in the sum are those of this run.

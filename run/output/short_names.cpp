@@ -13,22 +13,18 @@
 namespace kusabi::run {
 namespace {
 
-bool is_decimal(char c) {
-  return c >= '0' && c <= '9';
-}
-
 // The number at the start of a text, without leading zeros.
 std::string_view number_of(std::string_view text) {
   std::size_t zeros = 0;
-  while (zeros + 1 < text.size() && text[zeros] == '0' && is_decimal(text[zeros + 1])) ++zeros;
+  while (zeros + 1 < text.size() && text[zeros] == '0' && is_digit(text[zeros + 1])) ++zeros;
   std::size_t end = zeros;
-  while (end < text.size() && is_decimal(text[end])) ++end;
+  while (end < text.size() && is_digit(text[end])) ++end;
   return text.substr(zeros, end - zeros);
 }
 
 bool comes_before(std::string_view a, std::string_view b) {
   while (!a.empty() && !b.empty()) {
-    if (is_decimal(a.front()) && is_decimal(b.front())) {
+    if (is_digit(a.front()) && is_digit(b.front())) {
       const auto first = number_of(a);
       const auto second = number_of(b);
       if (first.size() != second.size()) return first.size() < second.size();

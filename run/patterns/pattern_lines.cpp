@@ -81,18 +81,6 @@ bool comes_before(std::string_view first, std::string_view second) {
   return compared(a.substr(place_width), b.substr(place_width), is_separated) < 0;
 }
 
-// Calls `take` with each whole line of the parts but the first.
-void read_lines(const std::vector<std::string>& parts,
-                const std::function<void(std::string_view)>& take) {
-  std::string line;
-  for (const auto& part : parts) {
-    std::ifstream file(part, std::ios::binary);
-    if (!file) throw std::runtime_error(part + ": cannot be read");
-    next_line(file, line);
-    while (next_line(file, line)) take(line);
-  }
-}
-
 // The names of inactive candidates, which are known at the end only, before the state of a pattern.
 std::string inactive_member(const problems::WedgedProblem& problem,
                             const support::IndexSet& inactive) {
@@ -144,7 +132,7 @@ void PatternLines::close(wedged::PatternFindings& findings) {
   if (findings.flat == 0) return;
   const auto parts = parts_ ? parts_->all() : parts_of_finished(owner_);
   if (parts.empty()) return keep_flat_of_earlier(findings);
-  read_lines(parts, [&](std::string_view line) {
+  read_parts(parts, [&](std::string_view line) {
     const auto key = key_in(line);
     const auto block = block_of(key);
     const auto pattern = pattern_of(key);
@@ -179,7 +167,7 @@ bool PatternLines::write(std::ostream& out, const std::string& head,
     return false;
   }
   LineSorter sorter(owner_.name, comes_before);
-  read_lines(parts, [&](std::string_view line) { sorter.add(line); });
+  read_parts(parts, [&](std::string_view line) { sorter.add(line); });
   for (const auto& leaf : findings.leaves) {
     sorter.add(fmt::format("{} {}", key_of(leaf, problem_.contact_names.size()), line_of(leaf)));
   }

@@ -263,9 +263,7 @@ std::string PatternsReport::table() const {
                                       its.marginal + its.undecided + its.branched_undecided,
                                       its.iterations};
   };
-  for (const auto& rank : findings_.outcome.ranks) ranks.add(rank.statistics, own(rank.tally));
-  for (const auto& rank : findings_.outcome.earlier)
-    ranks.add_earlier(rank.statistics, own(rank.tally));
+  ranks.add_all(findings_.outcome, own);
   const auto listed = numbers_ != nullptr  ? largest()
                       : options_.group > 0 ? groups()
                       : is_overview()      ? overview()
@@ -308,11 +306,8 @@ void PatternsReport::write_patterns(JsonWriter& json, const WholeStateJson& whol
                                       {"upper", answer::number_or_null(brackets_[i].upper)}};
     }
     if (!firmness_.empty()) pattern["firmness"] = firmness_json(firmness_[i]);
-    if (options_.whole || i < whole_unless_requested || i == largest) {
-      pattern["displacement"] = block_rows(problem_, leaf.block, leaf.displacement);
-      whole.add_to(pattern, of_all_candidates(problem_, leaf.block, leaf.reaction),
-                   of_all_candidates(problem_, leaf.block, leaf.displacement));
-    }
+    if (options_.whole || i < whole_unless_requested || i == largest)
+      whole.add_to(pattern, leaf.block, leaf.reaction, leaf.displacement);
     json.value(pattern);
   }
   json.end_list();
@@ -355,18 +350,6 @@ ordered_json PatternsReport::result_json() const {
   return result;
 }
 
-// @param answer first members of the result
-void PatternsReport::write_result(JsonWriter& json, ordered_json answer,
-                                  const WholeStateJson& whole) const {
-  json.begin_object();
-  answer.update(result_json());
-  for (const auto& [key, value] : answer.items()) json.member(key, value);
-  json.key("patterns");
-  write_patterns(json, whole);
-  if (options_.group > 0) json.member("groups", groups_json());
-  json.end_object();
-}
-
 ordered_json PatternsReport::statistics_json() const {
   const auto& outcome = findings_.outcome;
   return {{"ranks", rank_reports(outcome.ranks, counts_json<wedged::SignPatternTally>)},
@@ -374,12 +357,11 @@ ordered_json PatternsReport::statistics_json() const {
 }
 
 void PatternsReport::write(JsonWriter& json, ordered_json head, const WholeStateJson& whole) const {
-  auto answer = std::move(head["result"]);
-  head.erase("result");
-  json.begin_object();
-  for (const auto& [key, value] : head.items()) json.member(key, value);
-  json.key("result");
-  write_result(json, std::move(answer), whole);
+  json.begin_result(std::move(head), result_json());
+  json.key("patterns");
+  write_patterns(json, whole);
+  if (options_.group > 0) json.member("groups", groups_json());
+  json.end_object();
   json.member("statistics", statistics_json());
   json.end_object();
 }

@@ -122,8 +122,6 @@ class PatternsReport {
   [[nodiscard]] nlohmann::ordered_json statistics_json() const;
   /// Rows of the patterns with the largest margins, if the list is in a file of lines.
   [[nodiscard]] std::string largest() const;
-  void write_result(JsonWriter& json, nlohmann::ordered_json answer,
-                    const WholeStateJson& whole) const;
   void write_patterns(JsonWriter& json, const WholeStateJson& whole) const;
   [[nodiscard]] nlohmann::ordered_json groups_json() const;
   [[nodiscard]] std::string candidates() const;

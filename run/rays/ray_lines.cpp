@@ -69,17 +69,6 @@ void RayLines::add(const rays::ZeroSet& zero, const rays::Ray& ray) {
   parts_->put(line_of(zero, ray) + '\n');
 }
 
-void RayLines::read(const std::string& part, rays::ConesOfRays& cones) {
-  std::ifstream file(part, std::ios::binary);
-  if (!file) throw std::runtime_error(part + ": cannot be read");
-  std::string line;
-  next_line(file, line);
-  while (next_line(file, line)) {
-    sorter_->add(line);
-    cones.add(cone_of_key(line, cone_.candidates()));
-  }
-}
-
 rays::ConesOfRays RayLines::close(wedged::RayFindings& findings) {
   rays::ConesOfRays cones;
   if (parts_) parts_->close();
@@ -90,7 +79,10 @@ rays::ConesOfRays RayLines::close(wedged::RayFindings& findings) {
   sorter_.emplace(owner_.name, [key_length](std::string_view a, std::string_view b) {
     return a.substr(0, key_length) < b.substr(0, key_length);
   });
-  for (const auto& part : parts) read(part, cones);
+  read_parts(parts, [&](std::string_view line) {
+    sorter_->add(line);
+    cones.add(cone_of_key(line, cone_.candidates()));
+  });
   for (const auto& zero : findings.rays) {
     sorter_->add(line_of(zero, cone_.ray(zero, findings.health)));
     cones.add(rays::cone_of({zero, cone_.all()}));

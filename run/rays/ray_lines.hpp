@@ -55,7 +55,6 @@ class RayLines {
 
  private:
   [[nodiscard]] std::string line_of(const rays::ZeroSet& zero, const rays::Ray& ray) const;
-  void read(const std::string& part, rays::ConesOfRays& cones);
   [[nodiscard]] rays::ConesOfRays cones_of_earlier() const;
 
   const rays::ReactionCone& cone_;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <ostream>
+#include <span>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -50,7 +51,7 @@ namespace kusabi::run {
 namespace {
 
 /// Maximum number of rays in the graph.
-inline constexpr std::size_t max_drawn_rays = 200;
+constexpr std::size_t max_drawn_rays = 200;
 
 struct RaysOptions {
   ProblemInput input;
@@ -105,15 +106,13 @@ class RaysReport {
   [[nodiscard]] nlohmann::ordered_json tree_member() const;
   [[nodiscard]] nlohmann::ordered_json last_members();
   [[nodiscard]] nlohmann::ordered_json end_members() const;
-  // Up to the list of rays, which stays open.
-  void begin(JsonWriter& json, nlohmann::ordered_json head) const;
   void end_rays_and_all(JsonWriter& json);  // from the end of the list of rays
   [[nodiscard]] nlohmann::ordered_json ray_json(std::size_t number, const rays::Ray& ray) const;
   [[nodiscard]] nlohmann::ordered_json motion_json(std::size_t number);
-  [[nodiscard]] nlohmann::ordered_json cone_json(const rays::Cone& cone) const;
-  [[nodiscard]] nlohmann::ordered_json lean_cone(const rays::Cone& cone) const;
-  [[nodiscard]] nlohmann::ordered_json cone_candidates(const rays::Cone& cone) const;
-  void add_motions(nlohmann::ordered_json& json, const rays::Cone& cone) const;
+  [[nodiscard]] nlohmann::ordered_json cone_json(const rays::Cone& cone, bool with_rays) const;
+  // Numbers, from 1 on, of the rays or motions that belong to a cone.
+  [[nodiscard]] std::vector<std::size_t> numbers_in(const rays::Cone& cone,
+                                                    std::span<const rays::ZeroSet> sets) const;
   [[nodiscard]] std::string ray_lines(std::size_t number, const rays::Ray& ray) const;
   void begin(CsvWriter& csv) const;  // the header
   void add(CsvWriter& csv, std::size_t number, const rays::Ray& ray) const;
@@ -176,7 +175,11 @@ void RaysReport::write(ordered_json head, std::ostream* table, std::ostream* csv
   }
   std::optional<CsvWriter> rows;
   if (csv != nullptr) begin(rows.emplace(*csv));
-  if (json != nullptr) begin(*json, std::move(head));
+  if (json != nullptr) {
+    json->begin_result(std::move(head), tree_member());
+    json->key("rays");
+    json->begin_list();
+  }
   for (std::size_t at = 0; at < found_.rays.size(); ++at) {
     const rays::Ray ray = cone_.ray(found_.rays[at], found_.health);
     if (table != nullptr && at < longest_table) *table << ray_lines(at, ray);
@@ -304,22 +307,9 @@ ordered_json RaysReport::last_members() {
       members["motions"].push_back(motion_json(at));
   }
   members["cones"] = ordered_json::array();
-  for (const auto& each : found_.cones) members["cones"].push_back(lean_cone(each));
+  for (const auto& each : found_.cones) members["cones"].push_back(cone_json(each, false));
   members.update(end_members());
   return members;
-}
-
-void RaysReport::begin(JsonWriter& json, ordered_json head) const {
-  auto first = std::move(head["result"]);
-  head.erase("result");
-  first.update(tree_member());
-  json.begin_object();
-  for (const auto& [key, value] : head.items()) json.member(key, value);
-  json.key("result");
-  json.begin_object();
-  for (const auto& [key, value] : first.items()) json.member(key, value);
-  json.key("rays");
-  json.begin_list();
 }
 
 // Motions and cones are written one by one, since cones name all their rays.
@@ -333,10 +323,9 @@ void RaysReport::end_rays_and_all(JsonWriter& json) {
   }
   json.key("cones");
   json.begin_list();
-  for (const auto& each : found_.cones) json.value(cone_json(each));
+  for (const auto& each : found_.cones) json.value(cone_json(each, true));
   json.end_list();
-  const auto end = end_members();
-  for (const auto& [key, value] : end.items()) json.member(key, value);
+  json.members(end_members());
   json.end_object();
   json.member("statistics", statistics_json(found_));
   json.end_object();
@@ -359,37 +348,23 @@ ordered_json RaysReport::motion_json(std::size_t number) {
           {"displacement", candidate_rows(displacement, 2)}};
 }
 
-ordered_json RaysReport::cone_json(const rays::Cone& each) const {
+std::vector<std::size_t> RaysReport::numbers_in(const rays::Cone& cone,
+                                                std::span<const rays::ZeroSet> sets) const {
   std::vector<std::size_t> numbers;
-  for (std::size_t number = 0; number < found_.rays.size(); ++number) {
-    if (belongs(supports(number), each)) numbers.push_back(number + 1);
-  }
-  auto json = cone_candidates(each);
-  json["rays"] = numbers;
-  add_motions(json, each);
+  for (std::size_t at = 0; at < sets.size(); ++at)
+    if (belongs({sets[at], cone_.all()}, cone)) numbers.push_back(at + 1);
+  return numbers;
+}
+
+// @param with_rays with the numbers of its rays
+ordered_json RaysReport::cone_json(const rays::Cone& each, bool with_rays) const {
+  ordered_json json{
+      {"contact", candidate_names(problem_, cone_.all() & ~each.separated)},
+      {"separated", candidate_names(problem_, each.separated)},
+      {"idle", candidate_names(problem_, cone_.all() & ~(each.separated | each.reaction))}};
+  if (with_rays) json["rays"] = numbers_in(each, found_.rays);
+  if (!problem_.modes.bodies.empty()) json["motions"] = numbers_in(each, found_.motions);
   return json;
-}
-
-// A cone without the numbers of its rays.
-ordered_json RaysReport::lean_cone(const rays::Cone& each) const {
-  auto json = cone_candidates(each);
-  add_motions(json, each);
-  return json;
-}
-
-ordered_json RaysReport::cone_candidates(const rays::Cone& each) const {
-  return {{"contact", candidate_names(problem_, cone_.all() & ~each.separated)},
-          {"separated", candidate_names(problem_, each.separated)},
-          {"idle", candidate_names(problem_, cone_.all() & ~(each.separated | each.reaction))}};
-}
-
-void RaysReport::add_motions(ordered_json& json, const rays::Cone& each) const {
-  if (problem_.modes.bodies.empty()) return;
-  std::vector<std::size_t> motions;
-  for (std::size_t number = 0; number < found_.motions.size(); ++number) {
-    if (belongs({found_.motions[number], cone_.all()}, each)) motions.push_back(number + 1);
-  }
-  json["motions"] = motions;
 }
 
 void RaysReport::begin(CsvWriter& csv) const {

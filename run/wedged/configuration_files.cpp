@@ -1,7 +1,6 @@
 // States of the whole structure, rows of CSV, and grids.
 #include "run/wedged/configuration_files.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -18,6 +17,7 @@
 namespace kusabi::run {
 
 using nlohmann::ordered_json;
+using pictures::ContactState;
 
 namespace {
 
@@ -57,6 +57,56 @@ void add_internal_forces(ordered_json& configuration, const problems::Structure&
   configuration["von_mises"] = std::move(list);
 }
 
+const char* component_name(int dimension, int axis) {
+  if (axis == 0) return "n";
+  if (dimension == 2) return "t";
+  return axis == 1 ? "t1" : "t2";
+}
+
+// Forces of bars, with their utilisation where a yield force is known; stress of elements at their
+// centre.
+void add_internal_forces(pictures::UnstructuredGrid& grid, const problems::Structure& structure,
+                         const problems::WholeState& state) {
+  if (!structure.members.empty()) {
+    grid.cell_data.push_back(
+        pictures::member_numbers(grid, "axial_force", numbers(state.axial_forces)));
+  }
+  if (problems::has_yield_forces(structure)) {
+    grid.cell_data.push_back(pictures::member_numbers(
+        grid, "utilisation", numbers(problems::utilisations(structure, state.axial_forces))));
+  }
+  if (structure.elements.empty()) return;
+  const auto stresses = problems::element_stresses(structure, state.displacements);
+  grid.cell_data.push_back(pictures::element_numbers(grid, structure, "stress", stresses));
+  grid.cell_data.push_back(pictures::element_numbers(grid, structure, "von_mises",
+                                                     problems::von_mises(stresses).transpose()));
+}
+
+// u_n of the separated candidates.
+std::vector<double> gaps(const problems::WedgedProblem& problem, std::span<const double> motion,
+                         std::span<const ContactState> contact) {
+  const auto d = static_cast<std::size_t>(problem.dimension);
+  std::vector<double> numbers(contact.size());
+  for (std::size_t i = 0; i < contact.size(); ++i) {
+    if (contact[i] == ContactState::separated) numbers[i] = motion[d * i];
+  }
+  return numbers;
+}
+
+// |r_t| / (mu r_n) of the candidates in contact; 0 without friction.
+std::vector<double> uses(const problems::WedgedProblem& problem, double coefficient,
+                         std::span<const double> reactions, std::span<const ContactState> contact) {
+  const auto d = static_cast<std::size_t>(problem.dimension);
+  std::vector<double> numbers(contact.size());
+  for (std::size_t i = 0; i < contact.size(); ++i) {
+    const int candidate = static_cast<int>(i);
+    const double cone = coefficient * relative_friction(problem, candidate) * reactions[d * i];
+    if (contact[i] == ContactState::contact && cone > 0)
+      numbers[i] = tangential_reaction(problem, reactions, candidate) / cone;
+  }
+  return numbers;
+}
+
 }  // namespace
 
 void WholeStateJson::add_to(ordered_json& configuration, std::span<const double> reactions,
@@ -78,15 +128,14 @@ void WholeStateJson::add_to(ordered_json& configuration, std::span<const double>
   configuration["imbalance"] = state.imbalance;
 }
 
-namespace {
-
-const char* component_name(int dimension, int axis) {
-  if (axis == 0) return "n";
-  if (dimension == 2) return "t";
-  return axis == 1 ? "t1" : "t2";
+void WholeStateJson::add_to(ordered_json& configuration, std::uint32_t block,
+                            std::span<const double> reactions,
+                            std::span<const double> displacements) const {
+  const auto& problem = states_.problem();
+  configuration["displacement"] = block_rows(problem, block, displacements);
+  add_to(configuration, of_all_candidates(problem, block, reactions),
+         of_all_candidates(problem, block, displacements));
 }
-
-}  // namespace
 
 void add_pattern_columns(CsvWriter& csv) {
   csv.word("block").word("contact").word("separated").word("inactive");
@@ -125,57 +174,6 @@ void add_configuration(CsvWriter& csv, const problems::WedgedProblem& problem,
     }
   }
 }
-
-using pictures::ContactState;
-
-namespace {
-
-// Forces of bars, with their utilisation where a yield force is known; stress of elements at their
-// centre.
-void add_internal_forces(pictures::UnstructuredGrid& grid, const problems::Structure& structure,
-                         const problems::WholeState& state) {
-  if (!structure.members.empty()) {
-    grid.cell_data.push_back(
-        pictures::member_numbers(grid, "axial_force", numbers(state.axial_forces)));
-  }
-  if (problems::has_yield_forces(structure)) {
-    grid.cell_data.push_back(pictures::member_numbers(
-        grid, "utilisation", numbers(problems::utilisations(structure, state.axial_forces))));
-  }
-  if (structure.elements.empty()) return;
-  const auto stresses = problems::element_stresses(structure, state.displacements);
-  grid.cell_data.push_back(pictures::element_numbers(grid, structure, "stress", stresses));
-  grid.cell_data.push_back(pictures::element_numbers(grid, structure, "von_mises",
-                                                     problems::von_mises(stresses).transpose()));
-}
-
-// u_n of the separated candidates.
-std::vector<double> gaps(const problems::WedgedProblem& problem, std::span<const double> motion,
-                         std::span<const ContactState> contact) {
-  const auto d = static_cast<std::size_t>(problem.dimension);
-  std::vector<double> numbers(contact.size());
-  for (std::size_t i = 0; i < contact.size(); ++i) {
-    if (contact[i] == ContactState::separated) numbers[i] = motion[d * i];
-  }
-  return numbers;
-}
-
-// |r_t| / (mu r_n) of the candidates in contact; 0 without friction.
-std::vector<double> uses(const problems::WedgedProblem& problem, double coefficient,
-                         std::span<const double> reactions, std::span<const ContactState> contact) {
-  const auto d = static_cast<std::size_t>(problem.dimension);
-  std::vector<double> numbers(contact.size());
-  for (std::size_t i = 0; i < contact.size(); ++i) {
-    const double factor = problem.friction.empty() ? 1 : problem.friction[i];
-    const double cone = coefficient * factor * reactions[d * i];
-    const double across = d == 2 ? std::abs(reactions[d * i + 1])
-                                 : std::hypot(reactions[d * i + 1], reactions[d * i + 2]);
-    if (contact[i] == ContactState::contact && cone > 0) numbers[i] = across / cone;
-  }
-  return numbers;
-}
-
-}  // namespace
 
 pictures::UnstructuredGrid ConfigurationGrids::grid(const GridFacts& facts,
                                                     std::span<const double> reactions,

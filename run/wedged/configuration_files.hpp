@@ -52,8 +52,6 @@ class WholeStateJson {
   /// @param states must outlive it
   explicit WholeStateJson(const WholeStates& states) : states_(states) {}
 
-  [[nodiscard]] const problems::Structure& structure() const { return states_.structure(); }
-
   /// Adds `all_displacements`, of the nodes in their order, and `support_reactions`, by the names
   /// of nodes, both in global axes; `axial_forces` if there are members, `utilisation` if a yield
   /// force is known for any, `stresses` and `von_mises` if there are elements, and `imbalance`.
@@ -61,6 +59,10 @@ class WholeStateJson {
   /// @param displacements likewise
   void add_to(nlohmann::ordered_json& configuration, std::span<const double> reactions,
               std::span<const double> displacements) const;
+
+  /// Adds the `displacement` of the candidates, and these members, of a configuration of one block.
+  void add_to(nlohmann::ordered_json& configuration, std::uint32_t block,
+              std::span<const double> reactions, std::span<const double> displacements) const;
 
  private:
   const WholeStates& states_;

@@ -45,10 +45,8 @@ FrictionNeed friction_need(const problems::WedgedProblem& problem, std::uint32_t
   const auto d = static_cast<std::size_t>(problem.dimension);
   const auto r = of_all_candidates(problem, block, reaction);
   const auto needed = [&](int i) {
-    const auto* const own = &r[d * static_cast<std::size_t>(i)];
-    const double phi = problem.friction.empty() ? 1 : problem.friction[static_cast<std::size_t>(i)];
-    const double tangential = d == 2 ? std::abs(own[1]) : std::hypot(own[1], own[2]);
-    return phi * own[0] > 0 ? tangential / (phi * own[0]) : 0.0;
+    const double cone = relative_friction(problem, i) * r[d * static_cast<std::size_t>(i)];
+    return cone > 0 ? tangential_reaction(problem, r, i) / cone : 0.0;
   };
   FrictionNeed need;
   for (const int i : contact) need.coefficient = std::max(need.coefficient, needed(i));

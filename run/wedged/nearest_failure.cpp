@@ -17,22 +17,6 @@ namespace {
 // highest friction utilisation is reported.
 constexpr double alike = 1.01;
 
-// State of one candidate.
-struct Local {
-  double normal_reaction;
-  double tangential_reaction;
-  double gap;
-};
-
-Local local(const std::vector<double>& reaction, const std::vector<double>& displacement,
-            std::size_t dimension, int candidate) {
-  const auto at = dimension * static_cast<std::size_t>(candidate);
-  return {
-      reaction[at],
-      dimension == 2 ? std::abs(reaction[at + 1]) : std::hypot(reaction[at + 1], reaction[at + 2]),
-      displacement[at]};
-}
-
 void take_if_nearer(std::optional<Slack>& minimum, const Slack& other) {
   const bool nearer = !minimum || other.amount * alike < minimum->amount;
   const bool as_near =
@@ -44,11 +28,6 @@ void take_if_nearer(std::optional<Slack>& minimum, const Slack& other) {
 std::string amount_in(double amount, const std::string& unit, const char* what) {
   return unit.empty() ? fmt::format("{:.3g} (in the file's unit of {})", amount, what)
                       : fmt::format("{:.3g} {}", amount, unit);
-}
-
-// Friction of a candidate relative to the coefficient of the search.
-double relative_friction(const problems::WedgedProblem& problem, int candidate) {
-  return problem.friction.empty() ? 1.0 : problem.friction[static_cast<std::size_t>(candidate)];
 }
 
 std::string contact_text(const problems::WedgedProblem& problem, const Slack& slack) {
@@ -83,15 +62,16 @@ NearestFailure nearest_failure(const problems::WedgedProblem& problem, double co
   NearestFailure nearest;
   nearest.need = friction_need(problem, block, pattern.contact, reaction);
   for (const int i : pattern.contact) {
-    const auto here = local(r, u, d, i);
+    const double normal = r[d * static_cast<std::size_t>(i)];
+    const double tangential = tangential_reaction(problem, r, i);
     const double phi = relative_friction(problem, i);
-    const double cone = (phi == 0 ? 1 : coefficient * phi) * here.normal_reaction;
-    const double used = phi * here.normal_reaction > 0 ? here.tangential_reaction / cone : 0;
-    take_if_nearer(nearest.contact,
-                   {.candidate = i, .amount = cone - here.tangential_reaction, .used = used});
+    const double cone = (phi == 0 ? 1 : coefficient * phi) * normal;
+    const double used = phi * normal > 0 ? tangential / cone : 0;
+    take_if_nearer(nearest.contact, {.candidate = i, .amount = cone - tangential, .used = used});
   }
   for (const int j : pattern.separated)
-    take_if_nearer(nearest.gap, {.candidate = j, .amount = local(r, u, d, j).gap, .used = 0});
+    take_if_nearer(nearest.gap,
+                   {.candidate = j, .amount = u[d * static_cast<std::size_t>(j)], .used = 0});
   if (nearest.contact && nearest.gap) {
     const auto own = problems::block_problem(problem, problems::blocks_of(problem)[block]);
     nearest.gap_first =

@@ -2,6 +2,7 @@
 #include "run/wedged/problem_summary.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -174,6 +175,17 @@ std::vector<double> of_all_candidates(const problems::WedgedProblem& problem, st
 ordered_json block_rows(const problems::WedgedProblem& problem, std::uint32_t block,
                         std::span<const double> values) {
   return candidate_rows(of_all_candidates(problem, block, values), problem.dimension);
+}
+
+double relative_friction(const problems::WedgedProblem& problem, int candidate) {
+  return problem.friction.empty() ? 1.0 : problem.friction[static_cast<std::size_t>(candidate)];
+}
+
+double tangential_reaction(const problems::WedgedProblem& problem,
+                           std::span<const double> reactions, int candidate) {
+  const auto at = static_cast<std::size_t>(problem.dimension * candidate);
+  return problem.dimension == 2 ? std::abs(reactions[at + 1])
+                                : std::hypot(reactions[at + 1], reactions[at + 2]);
 }
 
 nlohmann::ordered_json exact_json(const wedged::ExactTest& test) {

@@ -58,6 +58,13 @@ nlohmann::ordered_json candidate_rows(std::span<const double> values, int dimens
 std::vector<double> of_all_candidates(const problems::WedgedProblem& problem, std::uint32_t block,
                                       std::span<const double> values);
 
+/// Friction of a candidate relative to the coefficient of the search.
+double relative_friction(const problems::WedgedProblem& problem, int candidate);
+
+/// |r_t| of a candidate. @param reactions of all candidates, dm
+double tangential_reaction(const problems::WedgedProblem& problem,
+                           std::span<const double> reactions, int candidate);
+
 /// The same as JSON rows.
 nlohmann::ordered_json block_rows(const problems::WedgedProblem& problem, std::uint32_t block,
                                   std::span<const double> values);

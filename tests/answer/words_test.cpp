@@ -208,7 +208,7 @@ TEST(StickingWords, NameTheGroundsOfAProof) {
   EXPECT_THAT(all_words({.answer = list}), HasSubstr("Proved by the bounds of the solver"));
   list.grounds = Grounds::exact_arithmetic;
   EXPECT_THAT(all_words({.answer = list}), Not(HasSubstr("bounds of the solver")));
-  const Bracket proved{Bound{0.5, Standing::proved}, Bound{0.6, Standing::proved}};
+  const auto proved = Bracket::proved(0.5, 0.6);
   CriticalBracket bracket{.bracket = proved, .maximum = 1000, .width = 1e-8};
   EXPECT_THAT(all_words({.answer = bracket}), Not(HasSubstr("bounds of the solver")));
   bracket.grounds = Grounds::solver_bounds;
@@ -242,17 +242,17 @@ TEST(StickingWords, CountDegenerateNodes) {
 }
 
 TEST(LoadWords, ReportTheGuaranteedIntervalOfASweep) {
-  const Bracket proved{Bound{1.5, Standing::proved}, Bound{1.5, Standing::proved}};
+  const auto proved = Bracket::proved(1.5, 1.5);
   LoadSteps steps{.nominal = Bound{3, Standing::computed},
                   .half_width = 1.5,
                   .worst = proved,
-                  .minimum = {Bound{0.5, Standing::proved}, Bound{0.5, Standing::proved}},
+                  .minimum = Bracket::proved(0.5, 0.5),
                   .points = 1,
                   .points_asked = 1};
   EXPECT_THAT(headline({.answer = steps}),
               HasSubstr("the worst case is 1.5, proved; factors from "
                         "0.5 to 1.5 are carried under all admissible loads."));
-  steps.minimum = {Bound{2, Standing::proved}, Bound{2, Standing::proved}};
+  steps.minimum = Bracket::proved(2, 2);
   EXPECT_THAT(headline({.answer = steps}),
               HasSubstr("no load factor is carried under all admissible loads."));
   steps.worst.upper = Bound{1.50000001, Standing::proved};
@@ -287,7 +287,7 @@ TEST(LoadWords, SayThatADeadLoadAloneIsNotCarried) {
   EXPECT_EQ(headline({.answer = nominal}),
             "The largest factor of the reference load that it carries is at least -0.5 (computed, "
             "not proved).");
-  nominal.minimum = {Bound{-3.000001, Standing::proved}, Bound{-3, Standing::proved}};
+  nominal.minimum = Bracket::proved(-3.000001, -3);
   EXPECT_EQ(
       headline({.answer = nominal}),
       "It carries its dead load at load factors from -3 to -0.5, and at none below -3.0001 or "
@@ -310,9 +310,7 @@ TEST(LoadWords, OfSeveralCasesHoldForFactorsThatAllCasesCarry) {
             "(computed, not proved).");
   EXPECT_EQ(sentence(both(4), both(3)),
             "No load factor is carried in all of 2 load cases (computed, not proved).");
-  const auto between = [](double lower, double upper) {
-    return Bracket{Bound{lower, Standing::proved}, Bound{upper, Standing::proved}};
-  };
+  const auto between = [](double lower, double upper) { return Bracket::proved(lower, upper); };
   EXPECT_EQ(sentence(between(2.9, 3.1), between(3, 3.05)),
             "It is numerically undecided whether any load factor is carried in all of 2 load "
             "cases.");
@@ -324,7 +322,7 @@ TEST(LoadWords, OfSeveralCasesHoldForFactorsThatAllCasesCarry) {
 }
 
 TEST(LoadWords, CallADeadLoadWithoutUncertaintyByItsName) {
-  const Bracket one{Bound{1, Standing::proved}, Bound{1, Standing::proved}};
+  const auto one = Bracket::proved(1, 1);
   EXPECT_EQ(headline({.answer = LoadInterval{.uncertain = LoadRange{0, "kN"},
                                              .minimum = {},
                                              .maximum = one,
@@ -366,17 +364,17 @@ TEST(HoldingWords, NameTheLoadsThatAWedgedPatternHolds) {
 }
 
 TEST(LossWords, OfVerifyNameTheLoadCase) {
-  const CertificateCheck check{
-      .claim = CertificateCheck::Loss{
-          .load_case = "wind", .lost = {"a-b"}, .factor = support::Bracket::proved(1, 2)}};
+  const CertificateCheck check{.claim = CertificateCheck::Loss{.load_case = "wind",
+                                                               .lost = {"a-b"},
+                                                               .factor = Bracket::proved(1, 2)}};
   EXPECT_THAT(headline({.answer = check}),
               HasSubstr("PROVED: in load case \"wind\", after the loss of any member"));
 }
 
 TEST(LoadWords, ReportAnEmptyInterval) {
   const LoadInterval empty{.uncertain = LoadRange{2.5, "kN"},
-                           .minimum = {Bound{1.5, Standing::proved}, Bound{1.5, Standing::proved}},
-                           .maximum = {Bound{0.5, Standing::proved}, Bound{0.5, Standing::proved}}};
+                           .minimum = Bracket::proved(1.5, 1.5),
+                           .maximum = Bracket::proved(0.5, 0.5)};
   EXPECT_EQ(headline({.answer = empty}),
             "No load factor is carried for every dead load within ± 2.5 kN.");
   EXPECT_EQ(exit_code({.answer = empty}), solved);

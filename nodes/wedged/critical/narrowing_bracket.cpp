@@ -2,9 +2,11 @@
 #include "nodes/wedged/critical/narrowing_bracket.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <string>
 
 #include <fmt/format.h>
+
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::wedged {
 namespace {
@@ -18,16 +20,16 @@ constexpr double rounding_of_ends = 1e-9;
 }  // namespace
 
 std::optional<double> NarrowingBracket::upper() const {
-  if (!upper_) return {};
-  return upper_->value;
+  if (!bracket_.upper) return {};
+  return bracket_.upper->value;
 }
 
 bool NarrowingBracket::is_one_cell(double width) const {
-  return bracket().width() <= width * (1 + rounding_of_ends);
+  return bracket_.width() <= width * (1 + rounding_of_ends);
 }
 
 void NarrowingBracket::raise_lower(double lower) {
-  if (lower > lower_.value) move_lower(lower);
+  if (lower > this->lower()) move_lower(lower);
 }
 
 void NarrowingBracket::reduce_upper(double upper, const PatternNode& leaf) {
@@ -36,24 +38,24 @@ void NarrowingBracket::reduce_upper(double upper, const PatternNode& leaf) {
 }
 
 void NarrowingBracket::prove_lower(double lower) {
-  lower_ = {lower, support::Standing::proved};
+  bracket_.lower = {lower, support::Standing::proved};
   changed_ = true;
 }
 
 void NarrowingBracket::prove_upper(double upper, const PatternNode& leaf) {
-  upper_ = {upper, support::Standing::proved};
+  bracket_.upper = {upper, support::Standing::proved};
   leaf_ = leaf;
   changed_ = true;
 }
 
 void NarrowingBracket::move_lower(double lower) {
-  lower_ = {lower, support::proved_if(lower == 0)};
+  bracket_.lower = {lower, support::proved_if(lower == 0)};
   changed_ = true;
 }
 
 void NarrowingBracket::move_upper(std::optional<double> upper) {
-  upper_.reset();
-  if (upper) upper_ = support::Bound{*upper};
+  bracket_.upper.reset();
+  if (upper) bracket_.upper = support::Bound{*upper};
   changed_ = true;
 }
 
@@ -65,13 +67,16 @@ void NarrowingBracket::move_upper(double upper, const PatternNode& leaf) {
 void NarrowingBracket::show() {
   if (!changed_ || analysis_.seconds() < short_run) return;
   changed_ = false;
-  const auto proof = [](bool proved) { return proved ? "proved" : "not yet proved"; };
+  const auto bound = [](const std::string& number, bool proved) {
+    return fmt::format("{} ({})", number, proved ? "proved" : "not yet proved");
+  };
+  constexpr int digits = 9;
   const auto lower =
-      fmt::format("cannot stick up to {:.9g} ({})", lower_.value, proof(lower_proved()));
+      "cannot stick up to " + bound(support::rounded_down(this->lower(), digits), lower_proved());
   analysis_.say(
-      upper_ ? fmt::format("bracket so far: {}, sticks at {:.9g} ({})", lower, upper_->value,
-                           proof(upper_->proved()))
-             : fmt::format("bracket so far: {}, no pattern known up to {:.9g}", lower, maximum_));
+      upper() ? fmt::format("bracket so far: {}, sticks at {}", lower,
+                            bound(support::rounded_up(*upper(), digits), upper_proved()))
+              : fmt::format("bracket so far: {}, no pattern known up to {:.9g}", lower, maximum_));
 }
 
 }  // namespace kusabi::wedged

@@ -21,16 +21,16 @@ class NarrowingBracket {
   [[nodiscard]] double minimum() const { return minimum_; }
 
   /// No configuration is wedged at this coefficient or below.
-  [[nodiscard]] double lower() const { return lower_.value; }
+  [[nodiscard]] double lower() const { return bracket_.at_least(); }
   /// A leaf is feasible at this coefficient; nothing if none is known.
   [[nodiscard]] std::optional<double> upper() const;
-  [[nodiscard]] double upper_or_infinity() const { return bracket().at_most(); }
+  [[nodiscard]] double upper_or_infinity() const { return bracket_.at_most(); }
   /// Both bounds with their standing.
-  [[nodiscard]] support::Bracket bracket() const { return {lower_, upper_}; }
+  [[nodiscard]] const support::Bracket& bracket() const { return bracket_; }
   /// The leaf of upper(), with the candidates of its block.
   [[nodiscard]] const std::optional<PatternNode>& leaf() const { return leaf_; }
-  [[nodiscard]] bool lower_proved() const { return lower_.proved(); }
-  [[nodiscard]] bool upper_proved() const { return support::is_proved(upper_); }
+  [[nodiscard]] bool lower_proved() const { return is_proved(bracket_.lower); }
+  [[nodiscard]] bool upper_proved() const { return is_proved(bracket_.upper); }
   [[nodiscard]] bool is_one_cell(double width) const;
 
   /// Raises the lower bound; without effect if a better one is known.
@@ -56,8 +56,8 @@ class NarrowingBracket {
  private:
   engine::Analysis& analysis_;
   double minimum_, maximum_;
-  support::Bound lower_{0, support::Standing::proved};  // nothing sticks without friction
-  std::optional<support::Bound> upper_;
+  // Nothing sticks without friction.
+  support::Bracket bracket_{.lower = support::Bound{0, support::Standing::proved}};
   std::optional<PatternNode> leaf_;
   bool changed_ = false;
 };

@@ -75,13 +75,13 @@ HeldFactors BlockHold::homogeneous_factors(double mu) {
     if (outcome.status != engine::Status::solved) found.status = outcome.status;
     const bool at_limit = outcome.leaves.empty() && !outcome.tally.limits.empty();
     const bool held = !outcome.leaves.empty() || at_limit;
-    if (at_limit) all.low.standing = all.high.standing = Standing::computed;
+    if (at_limit) all.standing = Standing::computed;
     if (!held && !outcome.is_infeasible()) found.outside = Standing::computed;
     if (!held && outcome.is_unresolved()) found.unresolved = true;
     auto& out = direction < 0 ? all.low_out : all.high_out;
     out.standing = support::proved_if(held || outcome.is_infeasible());
     if (!held) continue;
-    out.value = (direction < 0 ? all.low : all.high).value = direction * unbounded_end;
+    out.value = (direction < 0 ? all.low : all.high) = direction * unbounded_end;
     all.pattern = (at_limit ? outcome.tally.limits.front() : outcome.leaves.front()).pattern;
   }
   found.intervals.push_back(all);
@@ -95,10 +95,8 @@ void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard s
   const double from = factor_in(leaf, range_of(low, high));
   const HeldInterval held = interval(leaf.pattern, from, mu, standard);
   found.unresolved = found.unresolved || !held.high_out.proved() || !held.low_out.proved();
-  const auto& [low_out, low_end, high_end, high_out] =
-      std::tie(held.low_out.value, held.low.value, held.high.value, held.high_out.value);
-  const double below = std::isfinite(low_out) ? low_out : low_end;
-  const double above = std::isfinite(high_out) ? high_out : high_end;
+  const double below = std::isfinite(held.low_out.value) ? held.low_out.value : held.low;
+  const double above = std::isfinite(held.high_out.value) ? held.high_out.value : held.high;
   std::vector<FactorRange> left;
   for (const FactorRange& each : unknown) {
     if (each.low < below) left.push_back({each.low, std::min(each.high, below), true});
@@ -106,7 +104,7 @@ void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard s
   }
   unknown = std::move(left);
   found.intervals.push_back(held);
-  if (standard == Standard::proved) pieces_.push_back({leaf.pattern, low_end, high_end, from});
+  if (standard == Standard::proved) pieces_.push_back({leaf.pattern, held.low, held.high, from});
 }
 
 // Degenerate states of a range: the rest of it beside the first of them that has an interval is
@@ -157,22 +155,21 @@ namespace {
 void extend_by(HeldInterval& last, const HeldInterval& each) {
   if (each.low_out.value < last.low_out.value) last.low_out = each.low_out;
   if (each.high_out.value > last.high_out.value) last.high_out = each.high_out;
-  const bool inside = each.low.value >= last.low.value && each.high.value <= last.high.value;
+  const bool inside = each.low >= last.low && each.high <= last.high;
   if (inside) return;  // also if it is only computed
-  const bool overlap = each.low.value <= last.high.value;
-  last.low.standing = last.high.standing =
-      overlap ? both(last.held(), each.held()) : Standing::computed;
-  if (each.high.value > last.high.value) last.pattern = each.pattern;
-  last.high.value = std::max(last.high.value, each.high.value);
+  const bool overlap = each.low <= last.high;
+  last.standing = overlap ? both(last.standing, each.standing) : Standing::computed;
+  if (each.high > last.high) last.pattern = each.pattern;
+  last.high = std::max(last.high, each.high);
 }
 
 // The union of all. Between intervals whose brackets overlap, but are wide, no factor is known that
 // is not held.
 std::vector<HeldInterval> joined(std::vector<HeldInterval> all) {
-  std::ranges::sort(all, {}, [](const auto& each) { return each.low.value; });
+  std::ranges::sort(all, {}, &HeldInterval::low);
   std::vector<HeldInterval> result;
   for (auto& each : all) {
-    const bool apart = result.empty() || each.low.value > result.back().high.value;
+    const bool apart = result.empty() || each.low > result.back().high;
     const bool close = !result.empty() && each.low_out.value <= result.back().high_out.value;
     if (apart && close && !(each.low_out.proved() && result.back().high_out.proved())) {
       result.back().high_out = support::Bound{unbounded_end};
@@ -202,9 +199,8 @@ HeldFactors BlockHold::factors(double mu, bool with_dead) {
   for (const FactorRange& gap : empty_ranges) {
     if (!gap.proved) continue;
     for (auto& each : found.intervals) {
-      if (gap.high <= each.low.value && !std::isfinite(each.low_out.value))
-        each.low_out.value = gap.high;
-      if (gap.low >= each.high.value && !std::isfinite(each.high_out.value))
+      if (gap.high <= each.low && !std::isfinite(each.low_out.value)) each.low_out.value = gap.high;
+      if (gap.low >= each.high && !std::isfinite(each.high_out.value))
         each.high_out.value = gap.low;
     }
   }
@@ -212,7 +208,8 @@ HeldFactors BlockHold::factors(double mu, bool with_dead) {
   for (const FactorRange& gap : empty_ranges) {
     if (gap.proved) continue;
     found.outside = Standing::computed;
-    for (auto& [low_out, low, high, high_out, block, pattern, state] : found.intervals) {
+    for (auto& each : found.intervals) {
+      auto [low_out, high_out] = std::tie(each.low_out, each.high_out);
       if (gap.low <= high_out.value && gap.high > high_out.value)
         high_out.standing = Standing::computed;
       if (gap.high >= low_out.value && gap.low < low_out.value)
@@ -221,8 +218,8 @@ HeldFactors BlockHold::factors(double mu, bool with_dead) {
   }
   for (auto& each : found.intervals) {
     found.outside = both(found.outside, both(each.low_out.standing, each.high_out.standing));
-    each.state = state(each.pattern, each.high.value, mu);
-    if (!each.state) each.state = state(each.pattern, each.low.value, mu);
+    each.state = state(each.pattern, each.high, mu);
+    if (!each.state) each.state = state(each.pattern, each.low, mu);
   }
   return found;
 }
@@ -239,7 +236,7 @@ HeldFactors BlockHold::dead_alone(double mu) {
   }
   if (!at_limit) pieces_.push_back({outcome.leaves.front().pattern, 0, 0, 0});
   auto all = HeldInterval::from(-unbounded_end, unbounded_end, Standing::proved);
-  if (at_limit) all.low.standing = all.high.standing = Standing::computed;
+  if (at_limit) all.standing = Standing::computed;
   all.pattern = (at_limit ? outcome.tally.limits.front() : outcome.leaves.front()).pattern;
   all.state = state(all.pattern, 0, mu);
   found.intervals.push_back(all);

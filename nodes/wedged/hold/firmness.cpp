@@ -50,7 +50,7 @@ std::optional<Firmness> PatternFirmness::of(const Configuration& leaf) const {
   std::vector<HoldCost> costs;
   BlockHold hold(analysis_, block, parameters_, costs);
   const auto found = hold.ends_of({own.contact, own.separated}, mu_);
-  return Firmness{found.low_out.value, found.low.value, found.high.value, found.high_out.value};
+  return Firmness{found.low_out.value, found.low, found.high, found.high_out.value};
 }
 
 std::vector<std::optional<Firmness>> firmness_of_patterns(engine::Analysis& analysis,

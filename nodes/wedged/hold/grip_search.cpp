@@ -126,6 +126,7 @@ void BlockGrip::follow(GripEnd& end, Kind kind) const {
 const GripEnd unknown_end{.known = false};
 /// Sum of no reactions.
 constexpr support::Bound zero{0, support::Standing::proved};
+const GripEnd at_zero{.held = zero, .out = zero};
 
 GripEnd BlockGrip::end(Kind kind, const LoadedLeaf& leaf) {
   const double away = kind == Kind::above ? 1 : -1;
@@ -175,7 +176,7 @@ GripEnd BlockGrip::end(Kind kind, const LoadedLeaf& leaf) {
 }
 
 std::optional<GripOfBlock> BlockGrip::range() {
-  GripOfBlock own{.minimum = {.held = zero, .out = zero}, .maximum = {.held = zero, .out = zero}};
+  GripOfBlock own{.minimum = at_zero, .maximum = at_zero};
   const auto wedged = search({}, {});
   // A wedged pattern whose contacts resist all modes has a state. Without a dead load its
   // configurations are states.
@@ -228,8 +229,7 @@ void record_grip(engine::Analysis& analysis, const RecordedBlock& block, const G
 
 GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                      const HoldParameters& parameters, HoldRecord* record) {
-  const GripEnd none{.held = zero, .out = zero};
-  GripRange found{.standing = support::Standing::proved, .minimum = none, .maximum = none};
+  GripRange found{.standing = support::Standing::proved, .minimum = at_zero, .maximum = at_zero};
   if (work_on_other_modes(loaded, {1, 0}) > negligible_work) {
     found.held = false;
     return found;

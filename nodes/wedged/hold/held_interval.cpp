@@ -135,9 +135,10 @@ HeldInterval BlockHold::interval(const LoadedPattern& pattern, double from, doub
                               (std::isfinite(ends.infeasible) && !ends.wide));
   };
   HeldInterval held{{down.infeasible, outside(down)},
-                    {down.feasible, states},
-                    {up.feasible, states},
-                    {up.infeasible, outside(up)}};
+                    down.feasible,
+                    up.feasible,
+                    {up.infeasible, outside(up)},
+                    states};
   held.pattern = pattern;
   return held;
 }

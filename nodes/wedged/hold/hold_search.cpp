@@ -37,19 +37,19 @@ std::vector<HeldInterval> common(const std::vector<HeldInterval>& one,
   for (const auto& a : one) {
     for (const auto& b : other) {
       // One may be unbounded, without a pattern.
-      HeldInterval common = a.high.value < b.high.value ? a : b;
-      const auto& lower = a.low.value >= b.low.value ? a : b;
+      HeldInterval common = a.high < b.high ? a : b;
+      const auto& lower = a.low >= b.low ? a : b;
       common.low = lower.low;
       common.low_out = lower.low_out;
-      common.low.standing = common.high.standing = both(a.held(), b.held());
-      if (common.low.value <= common.high.value)
+      common.standing = both(a.standing, b.standing);
+      if (common.low <= common.high)
         result.push_back(common);
       else
         open = open || std::max(a.low_out.value, b.low_out.value) <
                            std::min(a.high_out.value, b.high_out.value);
     }
   }
-  std::ranges::sort(result, {}, [](const auto& each) { return each.low.value; });
+  std::ranges::sort(result, {}, &HeldInterval::low);
   return result;
 }
 
@@ -97,7 +97,8 @@ HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loade
   at.one_factor_at_most = true;
   // The factor is that of equilibrium up to its rounding.
   for (auto& each : at.intervals) {
-    each.low = each.high = Bound{*factor};
+    each.low = each.high = *factor;
+    each.standing = Standing::computed;
     each.low_out.value = std::nextafter(std::nextafter(*factor, -unbounded_end), -unbounded_end);
     each.high_out.value = std::nextafter(std::nextafter(*factor, unbounded_end), unbounded_end);
     if (each.state) each.state->factor = *factor;

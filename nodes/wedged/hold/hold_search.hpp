@@ -32,16 +32,16 @@ struct HeldState {
 
 /// Factors of the reference load that can be held, from `low` to `high`; infinite: unbounded.
 struct HeldInterval {
-  support::Bound low_out, low;  ///< no state at low_out and below it, up to the next interval, and
-                                ///< one at low: the end is between them
-  support::Bound high, high_out;  ///< likewise
+  support::Bound low_out;  ///< no state at low_out and below it, up to the next interval
+  double low = 0;          ///< with a state: the end is between low_out and low
+  double high = 0;         ///< likewise
+  support::Bound high_out;
+  support::Standing standing{};  ///< of the states at the ends
 
   /// With equal standing of states and of what is outside.
   static HeldInterval from(double low, double high, support::Standing standing) {
-    return {{low, standing}, {low, standing}, {high, standing}, {high, standing}};
+    return {{low, standing}, low, high, {high, standing}, standing};
   }
-  /// Standing of the states at the ends.
-  [[nodiscard]] support::Standing held() const { return both(low.standing, high.standing); }
 
   std::uint32_t block = 0;
   std::optional<LoadedPattern> pattern{};  ///< of the block, with a state at `high` or inside

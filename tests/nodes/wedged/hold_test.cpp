@@ -185,8 +185,8 @@ TEST(HeldFactors, AreThoseOfAllPatterns) {
       proved += is_proved(found.outside) ? 1 : 0;
       ASSERT_EQ(found.intervals.size(), wanted.size());
       for (std::size_t i = 0; i < wanted.size(); ++i) {
-        EXPECT_PRED2(near, found.intervals[i].low.value, wanted[i].first);
-        EXPECT_PRED2(near, found.intervals[i].high.value, wanted[i].second);
+        EXPECT_PRED2(near, found.intervals[i].low, wanted[i].first);
+        EXPECT_PRED2(near, found.intervals[i].high, wanted[i].second);
       }
     }
     ++compared;
@@ -227,7 +227,7 @@ TEST(HeldFactors, InSpaceAreBetweenThoseOfConesInsideAndAround) {
       engine::Analysis analysis(alone);
       const auto found = held_factors(analysis, *loaded, mu, {.tightening = tightening});
       std::vector<Interval> held;
-      for (const auto& each : found.intervals) held.emplace_back(each.low.value, each.high.value);
+      for (const auto& each : found.intervals) held.emplace_back(each.low, each.high);
       EXPECT_TRUE(within(held, outer)) << fmt::format("{} not within {}", held, outer);
       proved += is_proved(found.outside) && !found.unresolved ? 1 : 0;
       if (found.unresolved) continue;
