@@ -284,17 +284,23 @@ struct FrictionSteps {
   std::uint64_t open_patterns = 0;
   std::uint64_t undecided_points = 0;
   std::optional<ExactRemainder> remainder{};
+  std::optional<double> displacement_ratio{};
 
   static constexpr auto fields() {
     return std::tuple{
         field("maximum", &FrictionSteps::maximum, "upper limit of the sweep"),
         field("factor", &FrictionSteps::factor, "coefficients multiply that of each candidate"),
-        field("infeasible", &FrictionSteps::infeasible,
-              "it cannot stick up to here; null: not all patterns at the maximum were found"),
+        field(
+            "infeasible", &FrictionSteps::infeasible,
+            "it cannot stick up to here; proved: as are the counts at the requested coefficients, "
+            "at the maximum and at both bounds of each step; null: not all patterns at the "
+            "maximum were found"),
         field("undecided_points", &FrictionSteps::undecided_points,
               "of the requested coefficients"),
         field("exact_remainder", &FrictionSteps::remainder,
-              "what the exact test of the counts leaves open")};
+              "what the exact test of the counts leaves open"),
+        if_any("displacement_ratio", &FrictionSteps::displacement_ratio,
+               "proved for displacements up to this many times the strains; absent: for all")};
   }
 };
 

@@ -210,14 +210,26 @@ std::string bracket_line(const CriticalBracket& found) {
   return fmt::format("{}: open\n", name);
 }
 
+namespace {
+
+// What the exact test of a sweep has proved: the same list of patterns at each of its coefficients.
+const char* counts_text(const FrictionSteps& found) {
+  if (!is_proved(found.infeasible) || found.open_at_most > 0) return "";
+  return " Exact arithmetic proves this, and the counts at the given coefficients and at both "
+         "bounds of "
+         "each step.";
+}
+
+}  // namespace
+
 std::string headline_of(const FrictionSteps& found, engine::Status /*ended*/) {
   const auto maximum = fmt::format("{}{}", found.maximum, of_each_candidate(found.factor));
   if (!found.infeasible || is_refuted(found.remainder))
     return fmt::format("The {} from which it can stick is not known.", coefficient);
   const auto& [value, standing] = *found.infeasible;
   if (found.count == 0U && found.open_at_most == 0 && value >= found.maximum) {
-    return fmt::format("It cannot stick up to {} {}{}.", coefficient, maximum,
-                       unless_proved(standing));
+    return fmt::format("It cannot stick up to {} {}{}.{}", coefficient, maximum,
+                       unless_proved(standing), counts_text(found));
   }
   // Without friction nothing sticks.
   const auto head = value == 0
@@ -226,14 +238,15 @@ std::string headline_of(const FrictionSteps& found, engine::Status /*ended*/) {
                                       support::rounded_down(value, digits_of_sweep),
                                       of_each_candidate(found.factor));
   return fmt::format(
-      "{}; at {} there {} {}{}{}.", head, maximum, found.count == 1U ? "is" : "are",
+      "{}; at {} there {} {}{}{}.{}", head, maximum, found.count == 1U ? "is" : "are",
       counted(found.count, "sign pattern"),
       found.open_at_most == 0 ? "" : fmt::format(" and {} undecided", found.open_at_most),
-      unless_proved(standing));
+      unless_proved(standing), counts_text(found));
 }
 
 void reserve(const FrictionSteps& found, engine::Status /*ended*/, std::vector<Reservation>& all) {
   if (found.remainder) reserve(*found.remainder, all);
+  if (is_proved(found.infeasible)) reserve_large_displacements(found.displacement_ratio, all);
   if (!found.infeasible) {
     all.push_back(
         {fmt::format("The patterns at {} were not all found, so no count is known.", found.maximum),

@@ -48,11 +48,6 @@ Points convex_hull(Points points) {
   return chain;
 }
 
-Points corners_of(const Eigen::AlignedBox2d& box) {
-  return {box.corner(Eigen::AlignedBox2d::BottomLeft), box.corner(Eigen::AlignedBox2d::BottomRight),
-          box.corner(Eigen::AlignedBox2d::TopRight), box.corner(Eigen::AlignedBox2d::TopLeft)};
-}
-
 Points convex_area(const Points& points, const Points& directions, const Eigen::AlignedBox2d& box) {
   Eigen::AlignedBox2d around = box;
   for (const auto& point : points) around.extend(point);

@@ -8,9 +8,6 @@
 
 namespace kusabi::pictures {
 
-/// Corners in circular order.
-std::vector<Eigen::Vector2d> corners_of(const Eigen::AlignedBox2d& box);
-
 /// Corners of the convex hull, in circular order.
 std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points);
 

@@ -398,9 +398,8 @@ std::vector<Step> Limit::results(CommandRun& run) {
   })};
   steps.push_back(
       run.file("--csv", [report](std::ostream& out) { write_members_csv(out, *report); }));
-  steps.push_back(run.file("--curve-csv", [report](std::ostream& out) {
-    CurveReport{report->options, report->problem, report->answer}.write_csv(out);
-  }));
+  steps.push_back(
+      run.file("--curve-csv", [report](std::ostream& out) { write_curves_csv(out, *report); }));
   steps.push_back(run.folder("--vtu", [report](auto& folder) { draw_collapses(folder, *report); }));
   if (claims_losses()) {
     steps.push_back(run.file("--certificate", [this](std::ostream& out) {

@@ -9,11 +9,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "answer/fields.hpp"
 #include "answer/values.hpp"
 #include "answer/words.hpp"
 #include "run/limit/limit_report.hpp"
-#include "run/pictures/guaranteed_interval_report.hpp"
+#include "run/pictures/limit_values.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -180,12 +179,11 @@ ordered_json cases_json(std::span<const LimitCase> cases) {
                                              answer.worst ? answer.worst->zeta : Eigen::VectorXd());
     }
     if (const auto& worst = answer.worst) {
-      row["worst_case"] = worst_case_json(*worst);
+      row["worst_case"] = bounds_json(worst->ends, worst->standing);
       row["guaranteed_interval"] = interval_json(guaranteed_interval(answer, each.found.residual));
     }
     if (const auto& loss = each.found.loss) {
-      row["member_loss"] = answer::written(loss->ends);
-      row["member_loss"]["standing"] = answer::name_of(loss->standing);
+      row["member_loss"] = bounds_json(loss->ends, loss->standing);
     }
     row["state"] = state_of(each.found);
     rows.push_back(std::move(row));

@@ -17,7 +17,7 @@
 #include "run/output/csv.hpp"
 #include "run/output/output_file.hpp"
 #include "run/output/values.hpp"
-#include "run/pictures/guaranteed_interval_report.hpp"
+#include "run/pictures/limit_values.hpp"
 #include "run/pictures/vtu_series.hpp"
 
 namespace kusabi::run {
@@ -110,7 +110,7 @@ void add_worst_case(ordered_json& result, const LimitReport& report,
   result["alpha"] = answer::number_or_null(
       problems::common_half_width(report.problem, *report.options.parameters.alpha));
   result["uncertain_components"] = report.problem.uncertain_count();
-  result["worst_case"] = worst_case_json(worst);
+  result["worst_case"] = bounds_json(worst.ends, worst.standing);
   result["worst_case"]["from"] = worst.as_printed ? "zero-one" : "static-evidence";
   if (worst.zero_one) result["zero_one"] = zero_one_json(*worst.zero_one);
   add_critical_load(result, report.problem, worst.zeta);
@@ -178,7 +178,7 @@ ordered_json result_json(const LimitReport& report) {
   }
   if (options.parameters.alpha && !report.loss) add_interval(result, report);
   if (!answer.samples.empty()) result["samples"] = samples_json(report);
-  CurveReport{options, problem, answer}.add_to(result);
+  add_curves(result, report);
   return result;
 }
 

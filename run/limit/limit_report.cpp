@@ -2,18 +2,14 @@
 #include "run/limit/limit_report.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <tuple>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "answer/values.hpp"
 #include "answer/words.hpp"
-#include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
-#include "run/pictures/guaranteed_interval_report.hpp"
+#include "run/pictures/limit_values.hpp"
 #include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
@@ -27,23 +23,13 @@ constexpr const char* upper_value = ", all struts at their strength: an upper va
 
 void write_mode(std::string& text, const LimitProblem& problem,
                 const limit::LimitCollapse& collapse) {
-  const auto mode = problems::collapse_mode(problem, collapse.motion);
-  std::vector<std::string> tension;
-  std::vector<std::string> compression;
-  for (const auto& [member, elongation] : mode.yielding) {
-    (elongation > 0 ? tension : compression).push_back(problems::member_name(problem, member));
-  }
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "  collapse mode: {} {}{}, {} {}\n",
-                 answer::counted(mode.moving.size(), "node"),
-                 mode.moving.size() == 1 ? "moves" : "move",
+  const auto mode = named_mode(problem, collapse.motion);
+  fmt::format_to(std::back_inserter(text), "  collapse mode: {} {}{}, {} {}\n",
+                 answer::counted(mode.moving, "node"), mode.moving == 1 ? "moves" : "move",
                  mode.along_reference ? " along the reference load" : "",
                  answer::counted(mode.yielding.size(), "member"),
                  mode.yielding.size() == 1 ? "yields" : "yield");
-  if (!tension.empty()) fmt::format_to(out, "    in tension:     {}\n", fmt::join(tension, " "));
-  if (!compression.empty()) {
-    fmt::format_to(out, "    in compression: {}\n", fmt::join(compression, " "));
-  }
+  text += yielding_text(mode, 4);
 }
 
 // Note on load factor zero, if it is not carried.
@@ -183,15 +169,15 @@ void write_worst(std::string& text, const LimitReport& report) {
 }
 
 // Reason why there is no nominal factor.
-std::string no_nominal(const limit::LimitAnswer& answer) {
-  if (answer.status == limit::LoadStatus::not_carried) {
+std::string no_nominal(const limit::LimitAnswer& found) {
+  if (const auto standing = limit::at_no_factor(found)) {
     return fmt::format(
         "the nominal dead load is not carried at any load factor of either sign, {}\n",
-        answer::standing_word(support::proved_if(answer.whole())));
+        answer::standing_word(*standing));
   }
-  if (answer.rest != engine::Status::solved) {
+  if (found.rest != engine::Status::solved) {
     return fmt::format("stopped early ({}) before the nominal load factor was found\n",
-                       answer::status_name(answer.rest));
+                       answer::status_name(found.rest));
   }
   return "open: the nominal load factor is not known\n";
 }
@@ -214,7 +200,7 @@ std::string LimitReport::table(const Page& page) const {
                    answer.samples.size(), residual ? " with all struts at their strength" : "",
                    minimum, greatest, sum / static_cast<double>(answer.samples.size()));
   }
-  text += CurveReport{options, problem, answer}.table();
+  text += curves_text(*this);
   if (answer.rest != engine::Status::solved) {
     text += page.warning(fmt::format("stopped early ({}): the results are incomplete\n",
                                      answer::status_name(answer.rest)));

@@ -101,19 +101,14 @@ nlohmann::ordered_json factors_json(const problems::Structure& truss,
                                     const problems::LimitProblem& problem,
                                     const Eigen::VectorXd& zeta);
 
-/// Views of all curves of an answer. @pre the references outlive it
-struct CurveReport {
-  const LimitOptions& options;
-  const problems::LimitProblem& problem;
-  const limit::LimitAnswer& answer;
+/// The requested curves, breakpoint by breakpoint.
+std::string curves_text(const LimitReport& report);
 
-  /// The requested curves, breakpoint by breakpoint.
-  [[nodiscard]] std::string table() const;
-  /// Adds the keys of the curves to `result` (docs/result-files.md).
-  void add_to(nlohmann::ordered_json& result) const;
-  /// One line per breakpoint (docs/result-files.md).
-  void write_csv(std::ostream& out) const;
-};
+/// Adds the keys of the curves to `result` (docs/result-files.md).
+void add_curves(nlohmann::ordered_json& result, const LimitReport& report);
+
+/// One row per breakpoint, curve by curve.
+void write_curves_csv(std::ostream& out, const LimitReport& report);
 
 /// The word in results for what remains after a loss.
 const char* loss_state(limit::LoadStatus status);

@@ -9,13 +9,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "answer/fields.hpp"
 #include "answer/values.hpp"
 #include "answer/words.hpp"
 #include "problems/limit/collapse_mode.hpp"
 #include "run/limit/limit_report.hpp"
 #include "run/output/values.hpp"
-#include "run/pictures/guaranteed_interval_report.hpp"
+#include "run/pictures/limit_values.hpp"
 #include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
@@ -63,7 +62,10 @@ std::string singles_text(const LimitProblem& problem, const LossAnswer& loss) {
     if (single.status == LoadStatus::not_carried) {
       fmt::format_to(out, "    {}: not carried at any load factor\n", name);
     } else {
-      fmt::format_to(out, "    {}: {:.10g}\n", name, single.factor);
+      constexpr int digits = 10;
+      fmt::format_to(out, "    {}: {}\n", name,
+                     loss.uncertain ? support::rounded_up(single.factor, digits)
+                                    : fmt::format("{:.{}g}", single.factor, digits));
     }
   }
   const auto failed = static_cast<std::size_t>(
@@ -187,13 +189,11 @@ std::string loss_text(const LimitProblem& problem, const problems::Structure& tr
 
 ordered_json loss_json(const LimitProblem& problem, const problems::Structure& truss,
                        const LossAnswer& loss) {
-  ordered_json json{{"eligible", loss.eligible},
-                    {"lower", answer::written(loss.ends.lower)},
-                    {"upper", answer::written(loss.ends.upper)},
-                    {"standing", answer::name_of(loss.standing)},
-                    {"fatal", loss.fatal.has_value()},
-                    {"lost", names_of(problem, loss.lost)},
-                    {"undecided", loss.undecided}};
+  ordered_json json{{"eligible", loss.eligible}};
+  json.update(bounds_json(loss.ends, loss.standing));
+  json.update({{"fatal", loss.fatal.has_value()},
+               {"lost", names_of(problem, loss.lost)},
+               {"undecided", loss.undecided}});
   auto singles = ordered_json::array();
   for (const auto& single : loss.singles) {
     const bool finite = single.status == LoadStatus::collapses;

@@ -11,7 +11,7 @@
 #include "answer/words.hpp"
 #include "problems/limit/utilisation.hpp"
 #include "run/limit/limit_report.hpp"
-#include "run/pictures/guaranteed_interval_report.hpp"
+#include "run/pictures/limit_values.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -87,7 +87,7 @@ nlohmann::ordered_json strut_json(const LimitReport& report) {
                                    : nlohmann::ordered_json()},
       {"at_no_factor", limit::at_no_factor(residual).has_value()}};
   if (const auto& worst = residual.worst) {
-    json["worst_case"] = worst_case_json(*worst);
+    json["worst_case"] = bounds_json(worst->ends, worst->standing);
     json["guaranteed_interval"] = interval_json(guaranteed_interval(residual));
   }
   if (report.residual_loss)

@@ -8,6 +8,7 @@
 #include "answer/values.hpp"
 #include "answer/words.hpp"
 #include "run/limit/limit_report.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -15,15 +16,18 @@ namespace {
 using limit::LimitWorstCase;
 using limit::LimitZeroOne;
 
+constexpr int digits_of_bounds = 10;
+
 std::string m_text(const LimitZeroOne& zero_one) {
   return zero_one.big_m ? fmt::format("M = {}", *zero_one.big_m) : "M derived from static cuts";
 }
 
 std::string ends_text(const LimitZeroOne& zero_one) {
-  const auto end = [](double value) {
-    return std::isfinite(value) ? fmt::format("{:.10g}", value) : std::string("none");
+  const auto end = [](double value, const auto& rounded) {
+    return std::isfinite(value) ? rounded(value, digits_of_bounds) : std::string("none");
   };
-  return fmt::format("at least {}, at most {}", end(zero_one.lower), end(zero_one.upper));
+  return fmt::format("at least {}, at most {}", end(zero_one.lower, support::rounded_down),
+                     end(zero_one.upper, support::rounded_up));
 }
 
 }  // namespace
@@ -52,11 +56,13 @@ std::string zero_one_text(const LimitWorstCase& worst) {
                    *zero_one.start);
   }
   if (zero_one.cut_rounds > 0) {
-    fmt::format_to(
-        out, "  Algorithm 5.1: {}, {}, {} kept; the relaxation (38) rose from {:.10g} to {:.10g}\n",
-        answer::counted(zero_one.cut_rounds, "round"),
-        answer::counted(zero_one.cut_programs, "program") + " (51)",
-        answer::counted(zero_one.cuts, "cut"), zero_one.first_bound, zero_one.last_bound);
+    fmt::format_to(out,
+                   "  Algorithm 5.1: {}, {}, {} kept; the relaxation (38) rose from {} to {}\n",
+                   answer::counted(zero_one.cut_rounds, "round"),
+                   answer::counted(zero_one.cut_programs, "program") + " (51)",
+                   answer::counted(zero_one.cuts, "cut"),
+                   support::rounded_down(zero_one.first_bound, digits_of_bounds),
+                   support::rounded_down(zero_one.last_bound, digits_of_bounds));
   }
   fmt::format_to(out, "  Algorithm 4.2: {}, {}; {} before it\n",
                  answer::counted(zero_one.nodes, "node"),

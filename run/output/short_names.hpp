@@ -17,7 +17,6 @@ class ShortNames {
   [[nodiscard]] std::string of(const std::vector<std::string>& names) const;
   /// The same if it has at most so many characters; otherwise "12 of 40 candidates".
   [[nodiscard]] std::string of(const std::vector<std::string>& names, std::size_t maximum) const;
-  [[nodiscard]] std::size_t count() const { return order_.size(); }
 
  private:
   [[nodiscard]] std::vector<std::string> in_order(const std::vector<std::string>& names,

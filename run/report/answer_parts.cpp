@@ -52,7 +52,7 @@ void add_terms(Markup& page, const AnswerList& list, const Answer& answer) {
   if (!answer.state.empty()) page.element("dt", "remark").element("dd", answer.state);
   for (const auto& [key, value] : answer.numbers) {
     page.element("dt", meaning(list, key)).open("dd", {{"class", key}});
-    add_number(page, value, digits_of(key));
+    add_number(page, value, digits_of(key), rounding_of(key));
     page.close();
   }
   if (answer.needed) {

@@ -87,10 +87,8 @@ std::vector<Answer> states(const ResultReader& reader) {
       add("low", low);
       add("high", high);
     } else {
-      const auto* const upper = reader.bound_value(*entry, "upper");
-      add("lower", reader.bound_value(*entry, "lower"));
-      add("upper", upper);
-      if (upper != nullptr) answer.order = upper->get<double>();
+      for (const char* const key : {"lower", "upper"}) add(key, reader.bound_value(*entry, key));
+      answer.order = reader.bound(*entry, "upper");
     }
     const auto& state = reader.at(*entry, "state");
     answer.load_factor = reader.number(state, "factor");

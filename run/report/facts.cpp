@@ -2,10 +2,12 @@
 #include "run/report/facts.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
 #include "support/exact_count.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -22,9 +24,23 @@ std::string with_spaces(std::string text) {
   return text;
 }
 
-void add_value(Markup& page, const ResultJson& value) {
+std::string text_of(const ResultJson& number, int digits, Rounding rounding) {
+  if (!number.is_number_float()) return number.dump();
+  const auto value = number.get<double>();
+  switch (rounding) {
+    case Rounding::down:
+      return support::rounded_down(value, digits);
+    case Rounding::up:
+      return support::rounded_up(value, digits);
+    case Rounding::nearest:
+      break;
+  }
+  return fmt::format("{:.{}g}", value, digits);
+}
+
+void add_value(Markup& page, const ResultJson& value, Rounding rounding = Rounding::nearest) {
   if (value.is_number()) {
-    add_number(page, &value, many_digits);
+    add_number(page, &value, many_digits, rounding);
   } else if (value.is_string()) {
     page.words(value.get<std::string>());
   } else if (value.is_boolean()) {
@@ -51,22 +67,37 @@ void add_rows(Markup& page, const std::string& before, const ResultJson& object)
       continue;
     }
     page.open("tr").element("th", name, {{"scope", "row"}}).open("td");
-    add_value(page, value);
+    add_value(page, value, rounding_of(key));
     page.close().close();
   }
 }
 
 }  // namespace
 
-void add_number(Markup& page, const ResultJson* value, int digits) {
+Rounding rounding_of(std::string_view key) {
+  constexpr std::array down{"lower", "margin", "high", "first_bound", "last_bound", "carried_at"};
+  constexpr std::array up{"upper", "margin_upper", "low", "not_carried_at", "error"};
+  if (std::ranges::find(down, key) != down.end()) return Rounding::down;
+  return std::ranges::find(up, key) != up.end() ? Rounding::up : Rounding::nearest;
+}
+
+void add_number(Markup& page, const ResultJson* value, int digits, Rounding rounding) {
   if (value == nullptr || !value->is_number()) {
     page.words(nothing);
     return;
   }
-  page.element("data",
-               value->is_number_float() ? fmt::format("{:.{}g}", value->get<double>(), digits)
-                                        : value->dump(),
-               {{"value", value->dump()}});
+  page.element("data", text_of(*value, digits, rounding), {{"value", value->dump()}});
+}
+
+void add_bound(Markup& page, const ResultReader& reader, const ResultJson* bracket, const char* key,
+               int digits) {
+  add_number(page, bracket == nullptr ? nullptr : reader.bound_value(*bracket, key), digits,
+             rounding_of(key));
+}
+
+std::string standing_of(const ResultReader& reader, const ResultJson* bracket, const char* key) {
+  const auto* const bound = bracket == nullptr ? nullptr : ResultReader::find(*bracket, key);
+  return bound == nullptr ? std::string(nothing) : reader.text(*bound, "standing");
 }
 
 void add_count(Markup& page, const ResultJson* value) {
@@ -84,6 +115,16 @@ void begin_facts(Markup& page, std::string_view caption) {
 void add_fact(Markup& page, std::string_view name, std::string_view words) {
   if (words.empty()) return;
   page.open("tr").element("th", name, {{"scope", "row"}}).element("td", words).close();
+}
+
+void add_bound_fact(Markup& page, const ResultReader& reader, std::string_view name,
+                    const ResultJson& bracket, const char* key) {
+  if (ResultReader::find(bracket, key) == nullptr) return;
+  page.open("tr").element("th", fmt::format("{} ({})", name, standing_of(reader, &bracket, key)),
+                          {{"scope", "row"}});
+  page.open("td");
+  add_bound(page, reader, &bracket, key);
+  page.close().close();
 }
 
 std::string joined(const std::vector<std::string>& names) {

@@ -168,7 +168,7 @@ class Gallery {
     page_.element("td", list_.names.of(answer.separated));
     for (const auto& [key, value] : answer.numbers) {
       page_.open("td", {{"class", key}});
-      add_number(page_, value, digits_of(key));
+      add_number(page_, value, digits_of(key), rounding_of(key));
       page_.close();
     }
     page_.open("td");

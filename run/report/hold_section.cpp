@@ -11,12 +11,13 @@ namespace {
 
 using pictures::Markup;
 
-void add_end(Markup& page, const ResultJson* end) {
+// @param key "low" or "high"
+void add_end(Markup& page, const ResultJson* end, const char* key) {
   page.open("td");
   if (end == nullptr) {
     page.words("no end");
   } else {
-    add_number(page, end, many_digits);
+    add_number(page, end, many_digits, rounding_of(key));
   }
   page.close();
 }
@@ -35,8 +36,8 @@ void add_intervals(Markup& page, const ResultReader& reader, const ResultJson& p
     for (const auto& each : intervals) {
       begin_row();
       const auto [low, high] = held_ends(reader, each);
-      add_end(page, low);
-      add_end(page, high);
+      add_end(page, low, "low");
+      add_end(page, high, "high");
       const auto* const pattern = ResultReader::find(each, "pattern");
       page.element("td", pattern == nullptr ? "–" : joined(reader.names(*pattern, "contact")));
       page.close();

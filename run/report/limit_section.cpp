@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
@@ -80,40 +79,79 @@ class LimitSection {
     page_.close().close();
   }
 
+  // Rows of both bounds of a factor.
+  void bounds(const ResultJson& bracket, const std::string& name) {
+    add_bound_fact(page_, reader_, name + ", at least", bracket, "lower");
+    add_bound_fact(page_, reader_, name + ", at most", bracket, "upper");
+  }
+
+  // Rows on the factors that are carried: from which one on, or that there is none.
+  // @return true if one is
+  bool carried(const ResultJson& interval, const std::string& loads) {
+    const auto* const empty = ResultReader::find(interval, "empty");
+    if (empty != nullptr && *empty == true) {
+      add_fact(page_, loads + " is carried", "at no factor, " + reader_.text(interval, "standing"));
+      return false;
+    }
+    if (empty != nullptr) {
+      add_bound_fact(page_, reader_, loads + " is carried at factors from",
+                     reader_.at(interval, "lower"), "upper");
+      return true;
+    }
+    add_fact(page_, loads + " is carried", "undecided whether at any factor");
+    add_bound_fact(page_, reader_, loads + " is not carried at factors below",
+                   reader_.at(interval, "lower"), "lower");
+    add_bound_fact(page_, reader_, loads + " is not carried at factors above",
+                   reader_.at(interval, "upper"), "upper");
+    return false;
+  }
+
   void factors() {
-    auto facts = ResultJson::object();
-    const auto take = [&](const ResultJson& object, const char* key, const char* name) {
-      if (const auto* const value = ResultReader::find(object, key)) facts[name] = *value;
-    };
-    take(result_, "case", "load case");
+    const auto* const load_case = ResultReader::find(result_, "case");
+    const auto* const nominal = ResultReader::find(result_, "nominal_bounds");
+    const auto* const worst = ResultReader::find(result_, "worst_case");
+    if (load_case == nullptr && nominal == nullptr && worst == nullptr) return;
     const auto* const struts = ResultReader::find(result_, "struts");
     const std::string upper = struts == nullptr ? "" : ", struts at full strength: an upper value";
-    const bool combinations = ResultReader::find(result_, "critical_factors") != nullptr &&
-                              ResultReader::find(result_, "worst_case") != nullptr;
-    const std::string middle = combinations ? "with all factors of actions in the middle of their "
-                                              "ranges: load factor"
-                                            : "nominal load factor";
-    take(result_, "nominal", (middle + upper).c_str());
-    const std::string full = struts == nullptr ? "" : ", if all struts kept their full strength";
-    if (!combinations)
-      take(result_, "nominal_interval",
-           ("nominal load is carried at factors from, to" + full).c_str());
-    const auto unit = unit_of_alpha(reader_);
-    const auto alpha = unit ? "α, half-width of each uncertain load, " + *unit
-                            : "α, half-width of the factor of each uncertain load";
-    take(result_, "alpha", alpha.c_str());
-    if (const auto* const worst = ResultReader::find(result_, "worst_case")) {
-      for (const auto& [key, name] : {std::pair{"lower", "worst case, at least"},
-                                      std::pair{"upper", "worst case, at most"}}) {
-        if (const auto* const bound = ResultReader::find(*worst, key))
-          take(*bound, "value",
-               fmt::format("{}{} ({})", name, upper, reader_.text(*bound, "standing")).c_str());
-      }
+    begin_facts(page_, "Factors of the reference load");
+    if (load_case != nullptr) add_fact(page_, "load case", reader_.text(result_, "case"));
+    if (nominal != nullptr) {
+      const bool combinations =
+          ResultReader::find(result_, "critical_factors") != nullptr && worst != nullptr;
+      const std::string name =
+          (combinations ? "with all factors of actions in the middle of their ranges: load factor"
+                        : "nominal load factor") +
+          upper;
+      const auto& largest = reader_.at(*nominal, "upper");
+      bounds(largest, name);
+      if (!reader_.bound(largest, "lower") && !reader_.bound(largest, "upper"))
+        number_fact(name + ", " + answer::standing_word(support::Standing::computed),
+                    reader_.at(result_, "nominal"));
+      const std::string full = struts == nullptr ? "" : ", if all struts kept their full strength,";
+      if (!combinations) carried(*nominal, "nominal load" + full);
     }
-    const auto* const of_struts =
-        struts == nullptr ? nullptr : ResultReader::find(*struts, "guaranteed_interval");
+    if (ResultReader::find(result_, "alpha") != nullptr) {
+      const auto unit = unit_of_alpha(reader_);
+      number_fact(unit ? "α, half-width of each uncertain load, " + *unit
+                       : "α, half-width of the factor of each uncertain load",
+                  reader_.at(result_, "alpha"));
+    }
+    if (worst != nullptr) bounds(*worst, "worst case" + upper);
+    guaranteed(struts == nullptr ? nullptr : ResultReader::find(*struts, "guaranteed_interval"));
+    critical_interval(struts != nullptr);
+    end_table(page_);
+  }
+
+  void number_fact(const std::string& name, const ResultJson& number) {
+    page_.open("tr").element("th", name, {{"scope", "row"}}).open("td");
+    add_number(page_, &number, many_digits);
+    page_.close().close();
+  }
+
+  // @param of_struts the interval at residual strength; null: there are no struts
+  void guaranteed(const ResultJson* of_struts) {
     if (of_struts != nullptr)
-      facts["strength of struts for the carried factors"] = "residual strength";
+      add_fact(page_, "strength of struts for the carried factors", "residual strength");
     const auto* const of_all = of_struts == nullptr
                                    ? ResultReader::find(result_, "guaranteed_interval_of_all_cases")
                                    : nullptr;
@@ -121,24 +159,26 @@ class LimitSection {
                                  : of_all != nullptr
                                      ? of_all
                                      : ResultReader::find(result_, "guaranteed_interval");
-    if (interval != nullptr) {
-      const std::string cases = of_all == nullptr ? "" : " in every load case";
-      const auto* const empty = ResultReader::find(*interval, "empty");
-      if (empty != nullptr && *empty == true) {
-        facts["carried under every admissible load" + cases] = "no factor";
-      } else {
-        const auto end = [&](const char* which, const char* bound, const char* name) {
-          if (const auto* const found = ResultReader::find(reader_.at(*interval, which), bound))
-            take(*found, "value", fmt::format("every admissible load{} {}", cases, name).c_str());
-        };
-        end("lower", "upper", "is carried at factors from");
-        end("upper", "lower", "is carried at factors up to");
-      }
-      take(*interval, "standing", ("carried under every admissible load" + cases).c_str());
-    }
-    take(result_, "critical_interval",
-         ("critical load is carried at factors from, to" + full).c_str());
-    add_facts(page_, "Factors of the reference load", facts);
+    if (interval == nullptr) return;
+    const std::string loads =
+        of_all == nullptr ? "every admissible load" : "every admissible load in every load case";
+    if (carried(*interval, loads))
+      add_bound_fact(page_, reader_, loads + " is carried at factors up to",
+                     reader_.at(*interval, "upper"), "lower");
+  }
+
+  // The least and the largest factor of the critical load, which are computed.
+  void critical_interval(bool struts) {
+    if (ResultReader::find(result_, "critical_interval") == nullptr) return;
+    const auto& interval = reader_.list(result_, "critical_interval", 2);
+    const std::string name = fmt::format("critical load{} is carried at factors ({})",
+                                         struts ? ", if all struts kept their full strength," : "",
+                                         answer::standing_word(support::Standing::computed));
+    page_.open("tr").element("th", name, {{"scope", "row"}}).open("td");
+    add_number(page_, &interval.front(), many_digits, Rounding::up);
+    page_.words(" … ");
+    add_number(page_, &interval.back(), many_digits, Rounding::down);
+    page_.close().close();
   }
 
   // The load factor after the loss of each member, the smallest first.
@@ -149,8 +189,8 @@ class LimitSection {
     for (const auto& each : reader_.list(*loss, "single")) singles.push_back(&each);
     if (singles.empty()) return;
     const auto value = [&](const ResultJson* single) {
-      const auto* const factor = ResultReader::find(*single, "factor");
-      if (factor != nullptr) return factor->get<double>();
+      if (ResultReader::find(*single, "factor") != nullptr)
+        return reader_.number(*single, "factor");
       return reader_.text(*single, "state") == "not-carried" ? -HUGE_VAL : HUGE_VAL;
     };
     std::ranges::stable_sort(singles, {}, value);
@@ -170,7 +210,7 @@ class LimitSection {
       page_.open("td");
       const auto* const factor = ResultReader::find(*single, "factor");
       if (factor != nullptr) {
-        add_number(page_, factor);
+        add_number(page_, factor, few_digits, uncertain ? Rounding::up : Rounding::nearest);
       } else {
         page_.words(reader_.text(*single, "state") == "not-carried" ? "carried at no factor"
                                                                     : "open");
@@ -219,8 +259,7 @@ class LimitSection {
     const auto* const worst = ResultReader::find(row, "worst_case");
     for (const char* const key : {"lower", "upper"}) {
       page_.open("td");
-      const auto* const bound = worst == nullptr ? nullptr : ResultReader::find(*worst, key);
-      add_number(page_, bound == nullptr ? nullptr : &reader_.at(*bound, "value"));
+      add_bound(page_, reader_, worst, key, few_digits);
       page_.close();
     }
     for (const auto& action : actions) {

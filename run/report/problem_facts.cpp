@@ -143,9 +143,10 @@ class ProblemFacts {
   }
 
   [[nodiscard]] std::string friction() const {
-    const auto* const value = ResultReader::find(reader_.at(reader_.all(), "result"), "friction");
-    return value != nullptr && value->is_number() ? fmt::format("{:.10g}", value->get<double>())
-                                                  : std::string();
+    const auto& result = reader_.at(reader_.all(), "result");
+    return ResultReader::find(result, "friction") == nullptr
+               ? std::string()
+               : fmt::format("{:.10g}", reader_.number(result, "friction"));
   }
 
   [[nodiscard]] std::string loads() const {

@@ -42,23 +42,23 @@ class SweepSection {
  private:
   void number(const ResultJson& object, const char* key) {
     page_.open("td");
-    add_number(page_, ResultReader::find(object, key), many_digits);
+    add_number(page_, ResultReader::find(object, key), many_digits, rounding_of(key));
     page_.close();
   }
-  /// Nothing if it is open.
-  void bound(const ResultJson& object, const char* key) {
+  /// The bound and its standing.
+  void bound(const ResultJson& bracket, const char* key) {
     page_.open("td");
-    const auto* const found = ResultReader::find(object, key);
-    add_number(page_, found == nullptr ? nullptr : &reader_.at(*found, "value"), many_digits);
+    add_bound(page_, reader_, &bracket, key);
     page_.close();
+    words(standing_of(reader_, &bracket, key));
   }
   /// Lower and upper bound; nothing if there is none.
   void bracket(const ResultJson* ends) {
     page_.open("td");
     if (ends != nullptr) {
-      add_number(page_, &reader_.at(*ends, "lower"), many_digits);
+      add_number(page_, &reader_.at(*ends, "lower"), many_digits, Rounding::down);
       page_.words(" … ");
-      add_number(page_, &reader_.at(*ends, "upper"), many_digits);
+      add_number(page_, &reader_.at(*ends, "upper"), many_digits, Rounding::up);
     }
     page_.close();
   }
@@ -144,14 +144,14 @@ class SweepSection {
     const auto& points = reader_.list(result_, "points");
     if (points.empty()) return;
     const auto unit = unit_of_alpha(reader_);
-    begin_table(page_, "Worst-case load factor at the given points",
-                {unit ? "α, " + *unit : "α", "at least", "at most", "standing", "state"});
+    begin_table(
+        page_, "Worst-case load factor at the given points",
+        {unit ? "α, " + *unit : "α", "at least", "standing", "at most", "standing", "state"});
     for (const auto& point : points) {
       page_.open("tr");
       number(point, "alpha");
       bound(point, "lower");
       bound(point, "upper");
-      words(reader_.text(point, "standing"));
       words(reader_.text(point, "state"));
       page_.close();
     }

@@ -19,10 +19,6 @@ constexpr std::uintmax_t largest_result = std::uintmax_t{1} << 30U;
 /// Larger numbers do not occur in results; squares and their sums stay finite up to here.
 constexpr double largest_number = 1e100;
 
-bool is_drawable(const ResultJson& value) {
-  return value.is_number() && std::abs(value.get<double>()) <= largest_number;
-}
-
 }  // namespace
 
 std::string result_text(Session& session, const std::string& file) {
@@ -61,19 +57,21 @@ std::string ResultReader::text(const ResultJson& object, const char* key) const 
   return value.get<std::string>();
 }
 
-double ResultReader::number(const ResultJson& object, const char* key) const {
-  const auto& value = at(object, key);
-  if (!is_drawable(value))
-    refuse(fmt::format("'{}' is not a number up to {:g}", key, largest_number));
+double ResultReader::number_of(const ResultJson& value, std::string_view name) const {
+  if (!value.is_number() || !(std::abs(value.get<double>()) <= largest_number))
+    refuse(fmt::format("{} is not a number up to {:g}", name, largest_number));
   return value.get<double>();
+}
+
+double ResultReader::number(const ResultJson& object, const char* key) const {
+  return number_of(at(object, key), fmt::format("'{}'", key));
 }
 
 const ResultJson* ResultReader::bound_value(const ResultJson& bracket, const char* key) const {
   const auto* const found = find(bracket, key);
   if (found == nullptr) return nullptr;
   const auto& value = at(*found, "value");
-  if (!is_drawable(value))
-    refuse(fmt::format("'{}' is not a number up to {:g}", key, largest_number));
+  number_of(value, fmt::format("'{}'", key));
   return &value;
 }
 
@@ -121,11 +119,7 @@ Eigen::Vector3d ResultReader::vector(const ResultJson& value, int dimension) con
     refuse(fmt::format("{} is not a list of {} numbers", value.dump().substr(0, 40), dimension));
   for (int axis = 0; axis < dimension; ++axis) {
     const auto& component = value[static_cast<std::size_t>(axis)];
-    if (!is_drawable(component)) {
-      refuse(fmt::format("{} is not a number up to {:g}", component.dump().substr(0, 40),
-                         largest_number));
-    }
-    vector(axis) = component.get<double>();
+    vector(axis) = number_of(component, component.dump().substr(0, 40));
   }
   return vector;
 }

@@ -36,6 +36,8 @@ class ResultReader {
 
   [[nodiscard]] std::string text(const ResultJson& object, const char* key) const;
   [[nodiscard]] double number(const ResultJson& object, const char* key) const;
+  /// A value as a number. @param name in the message
+  double number_of(const ResultJson& value, std::string_view name) const;
   /// The value of the lower or upper bound of a bracket; null if it is open.
   [[nodiscard]] const ResultJson* bound_value(const ResultJson& bracket, const char* key) const;
   /// The same as a number.

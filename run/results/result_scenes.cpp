@@ -12,6 +12,7 @@
 #include "run/output/wrong_input.hpp"
 #include "run/results/drawn_structure.hpp"
 #include "run/results/result_reader.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -21,6 +22,8 @@ using pictures::Scene;
 
 /// Lists of names end there: three lines of a picture.
 constexpr std::size_t longest_names = 330;
+/// digits of a number in a picture.
+constexpr int digits_of_picture = 6;
 
 // "in contact: a b c", "in contact: a b and 7 more"; empty if there are none.
 std::string listed_names(const std::string& what, const std::vector<std::string>& names) {
@@ -107,14 +110,15 @@ class SceneReader {
   void add_firmness(Scene& scene, const ResultJson& pattern) const {
     const auto* const firmness = ResultReader::find(pattern, "firmness");
     if (firmness == nullptr) return;
-    const auto end = [&](const char* key, const char* without) {
+    const auto end = [&](const char* key, const char* without, const auto& rounded) {
       return ResultReader::find(*firmness, key) == nullptr
                  ? std::string(without)
-                 : fmt::format("{:.6g}", reader_.number(*firmness, key));
+                 : rounded(reader_.number(*firmness, key), digits_of_picture);
     };
     add_line(scene,
              fmt::format("load held at a sum of normal reactions of 1: factors from {} to {}",
-                         end("low", "-∞"), end("high", "∞")));
+                         end("low", "-∞", support::rounded_up),
+                         end("high", "∞", support::rounded_down)));
   }
 
   void read_patterns(ResultScenes& all) {
@@ -130,10 +134,12 @@ class SceneReader {
       const auto state = reader_.text(pattern, "state");
       const bool has_margin = ResultReader::find(pattern, "margin") != nullptr;
       scene.note = state != "feasible" ? state
-                   : !has_margin       ? std::string()
-                                 : fmt::format("t* {:.2e}", reader_.number(pattern, "margin"));
+                   : !has_margin
+                       ? std::string()
+                       : "t* " + support::rounded_down(reader_.number(pattern, "margin"), 3);
       if (state == "feasible" && has_margin)
-        add_line(scene, fmt::format("margin t* = {:.6g}", reader_.number(pattern, "margin")));
+        add_line(scene, "margin t* = " + support::rounded_down(reader_.number(pattern, "margin"),
+                                                               digits_of_picture));
       add_firmness(scene, pattern);
       add_signs(scene, pattern);
       add_configuration(scene, pattern);
@@ -152,7 +158,7 @@ class SceneReader {
       const double friction = reader_.number(pattern, "upper");
       auto scene = at_friction(friction);
       scene.name = fmt::format("pattern {}", all.count);
-      scene.note = fmt::format("μ {:.6g}", friction);
+      scene.note = "μ " + support::rounded_up(friction, digits_of_picture);
       add_signs(scene, pattern);
       add_configuration(scene, pattern);
       all.entries.push_back(entry - 1);
@@ -191,7 +197,7 @@ class SceneReader {
   // Friction coefficient of a state: that of the call, or the one found.
   [[nodiscard]] double friction_of(const ResultJson& entry) const {
     const auto* const points = ResultReader::find(reader_.at(reader_.all(), "options"), "mu");
-    return points != nullptr && !points->empty() ? points->front().get<double>()
+    return points != nullptr && !points->empty() ? reader_.number_of(points->front(), "'mu'")
                                                  : reader_.bound(entry, "upper").value_or(0);
   }
 
@@ -237,8 +243,7 @@ class SceneReader {
       const auto& interval = reader_.list(result_, "critical_interval", 2);
       const auto& worst = reader_.at(result_, "worst_case");
       const auto upper = reader_.bound(worst, "upper");
-      if (!interval[1].is_number()) reader_.refuse("'critical_interval' is not a list of numbers");
-      const double factor = interval[1].get<double>();
+      const double factor = reader_.number_of(interval[1], "'critical_interval'");
       auto scene = collapse("worst case", upper.value_or(factor), *worst_mode);
       add_loads(scene, {.factor = factor, .critical = &result_});
       scene.support_reactions = by_node(result_, "support_reactions");

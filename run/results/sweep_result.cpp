@@ -14,6 +14,7 @@
 
 #include "answer/values.hpp"
 #include "run/results/alpha_unit.hpp"
+#include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -186,6 +187,7 @@ class SweptLoads : public SweepPage {
   // From the lower to the upper bound; the mark is at the upper one.
   [[nodiscard]] ChartSeries points() const {
     constexpr double visible = 1e-3;  // relative
+    constexpr int digits = 10;
     ChartSeries asked{.name = "at the given points"};
     for (const auto& point : list("points")) {
       if (!has(point, "upper") || reader_.text(point, "state") == "not-carried") continue;
@@ -195,11 +197,12 @@ class SweptLoads : public SweepPage {
       if (upper - lower > visible * std::abs(upper))
         asked.name = "at the given points: from the lower bound to the upper one";
       asked.lines.push_back({{alpha, lower}, {alpha, upper}});
+      const auto shown = support::in_sentence(lower, upper, digits);
       asked.marks.push_back(
           {alpha, upper,
            std::isinf(lower)
-               ? fmt::format("at most {:.10g} at alpha = {}", upper, alpha)
-               : fmt::format("{:.10g} to {:.10g} at alpha = {}", lower, upper, alpha)});
+               ? fmt::format("at most {} at alpha = {}", support::rounded_up(upper, digits), alpha)
+               : fmt::format("{} to {} at alpha = {}", shown.lower, shown.upper, alpha)});
     }
     return asked;
   }

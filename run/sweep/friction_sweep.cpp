@@ -220,19 +220,22 @@ answer::Verdict FrictionSweep::verdict() const {
   answer::FrictionSteps steps{.maximum = parameters_.maximum,
                               .factor = !problems::uniform_friction(contact_.problem),
                               .open_patterns = found_.unresolved.size()};
-  if (found_.enumerated) {
-    double infeasible = parameters_.maximum;
-    for (const auto& cone : found_.cones) infeasible = std::min(infeasible, cone.begins.lower);
-    for (const auto& leaf : found_.unresolved) infeasible = std::min(infeasible, leaf.lower);
-    steps.infeasible = support::Bound{infeasible, support::Standing::computed};
-    const auto last = found_.count_at(found_.maximum);
-    steps.count = last.known;
-    steps.open_at_most = last.unresolved;
-  }
   steps.remainder = remainder_of(exact_);
   const auto list = counts();
   steps.undecided_points = static_cast<std::uint64_t>(
       std::ranges::count_if(list, [](const auto& each) { return !each.exact(); }));
+  if (found_.enumerated) {
+    double infeasible = parameters_.maximum;
+    for (const auto& cone : found_.cones) infeasible = std::min(infeasible, cone.begins.lower);
+    for (const auto& leaf : found_.unresolved) infeasible = std::min(infeasible, leaf.lower);
+    const auto last = found_.count_at(found_.maximum);
+    steps.count = last.known;
+    steps.open_at_most = last.unresolved;
+    // The exact test compares decided counts only.
+    const bool decided = found_.unresolved.empty() && steps.undecided_points == 0;
+    steps.infeasible = support::Bound{infeasible, support::proved_if(exact_.proves() && decided)};
+    steps.displacement_ratio = exact_.displacement_ratio;
+  }
   return {.ended = found_.status, .answer = steps};
 }
 

@@ -2,23 +2,23 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ostream.h>
 
-#include "answer/fields.hpp"
 #include "answer/values.hpp"
 #include "answer/words.hpp"
 #include "engine/collectives.hpp"
 #include "nodes/limit/limit_sweep.hpp"
-#include "problems/limit/collapse_mode.hpp"
 #include "problems/limit/half_widths.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/load_cases.hpp"
+#include "run/output/csv.hpp"
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
-#include "run/pictures/guaranteed_interval_report.hpp"
+#include "run/pictures/limit_values.hpp"
 #include "run/pictures/structure_json.hpp"
 #include "run/session/kept_state.hpp"
 #include "run/session/progress_line.hpp"
@@ -38,12 +38,12 @@ const char* state_of(const limit::LimitWorstCase& worst) {
 
 // Load factors below the worst case that are carried under every admissible load.
 std::string lower_end_text(const limit::GuaranteedInterval& interval) {
-  const auto* const standing = answer::unless_proved(interval.standing());
-  if (interval.is_empty()) return fmt::format("; no factor for all loads{}", standing);
+  if (interval.is_empty())
+    return fmt::format("; no factor for all loads{}", answer::unless_proved(interval.standing()));
   if (!interval.has_factors()) return "; the least factor for all loads is undecided";
   return fmt::format("; for all loads from {} on{}",
                      support::rounded_up(interval.minimum.at_most(), support::digits_of_table),
-                     standing);
+                     answer::unless_proved(interval.minimum.upper->standing));
 }
 
 class LoadSweep final : public Swept {
@@ -96,9 +96,6 @@ class LoadSweep final : public Swept {
     const auto& curve = found_.last.worst_curve;
     return curve && !curve->pieces.empty() ? &*curve : nullptr;
   }
-  [[nodiscard]] double alpha_at(double beta) const { return beta * options_.alpha.back(); }
-  [[nodiscard]] ordered_json piece_json(const limit::CurvePiece& piece) const;
-  [[nodiscard]] std::string curve_text() const;
   void fix_groups(const problems::Structure& whole);
   void refuse_struts(const problems::CheckedStructure& structure) const;
 
@@ -126,94 +123,66 @@ void LoadSweep::fix_groups(const problems::Structure& whole) {
   }
 }
 
-ordered_json LoadSweep::piece_json(const limit::CurvePiece& piece) const {
-  const auto mode = problems::collapse_mode(problem_, piece.from.motion);
-  auto yielding = ordered_json::array();
-  auto tension = ordered_json::array();
-  for (const auto& [member, elongation] : mode.yielding) {
-    yielding.push_back(problems::member_name(problem_, member));
-    if (elongation > 0) tension.push_back(yielding.back());
-  }
-  return {{"from", alpha_at(piece.from.at)},
-          {"to", alpha_at(piece.to)},
-          {"factor_from", piece.from.factor},
-          {"factor_to", piece.factor_at_end},
-          {"error", answer::number_or_null(piece.error)},
-          {"along_reference_load", mode.along_reference},
-          {"yielding", std::move(yielding)},
-          {"tension", std::move(tension)}};
-}
-
 ordered_json LoadSweep::json(CommandRun& run) const {
   auto points = ordered_json::array();
   for (const auto& [alpha, worst, interval] : found_.points) {
-    points.push_back({{"alpha", alpha},
-                      {"lower", answer::written(worst.ends.lower)},
-                      {"upper", answer::written(worst.ends.upper)},
-                      {"standing", answer::name_of(worst.standing)},
-                      {"guaranteed_interval", interval_json(interval)},
-                      {"state", state_of(worst)}});
+    ordered_json point{{"alpha", alpha}};
+    point.update(bounds_json(worst.ends, worst.standing));
+    point.update({{"guaranteed_interval", interval_json(interval)}, {"state", state_of(worst)}});
+    points.push_back(std::move(point));
   }
   ordered_json result{{"points", std::move(points)}};
-  auto pieces = ordered_json::array();
-  if (curve()) {
-    for (const auto& piece : curve()->pieces) pieces.push_back(piece_json(piece));
-  }
-  result["curve"] = std::move(pieces);
-  if (curve() && curve()->end) {
-    const auto& end = *curve()->end;
-    result["curve_end"] = {{"carried_at", alpha_at(end.carried_at)},
-                           {"not_carried_at", alpha_at(end.not_carried_at)},
-                           {"standing", answer::name_of(end.standing)}};
-  }
+  if (curve())
+    add_curve(result, "curve", problem_, *curve(), options_.alpha.back());
+  else
+    result["curve"] = ordered_json::array();
   return run.result_json(limit_problem_json(problem_, truss_, options_.input.file),
                          std::move(result), {{"ranks", run.session().ranks()}});
 }
 
-// The number, or nothing if it is absent.
-std::string finite(double value) {
-  return std::isfinite(value) ? fmt::format("{}", value) : "";
+// Cells of a bound: its value, which is finite, and its standing; empty if it is open.
+void add_cells(CsvWriter& csv, const std::optional<support::Bound>& bound) {
+  if (bound)
+    csv.number(bound->value).word(answer::standing_word(bound->standing));
+  else
+    csv.nothing().nothing();
+}
+
+// Bounds of a factor of the curve. @param error absent: it is computed
+support::Bracket around(double factor, const std::optional<double>& error) {
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  if (!error) return {support::Bound{factor}, support::Bound{factor}};
+  return support::Bracket::proved(std::nextafter(factor - *error, -endless),
+                                  std::nextafter(factor + *error, endless));
 }
 
 void LoadSweep::write_csv(std::ostream& out) const {
-  out << "row,alpha,lower,upper,proved,carried_from,carried_to,carried_proved\n";
+  CsvWriter csv(out);
+  for (const char* const column :
+       {"row", "alpha", "lower", "lower_standing", "upper", "upper_standing", "carried_from",
+        "carried_from_standing", "carried_to", "carried_to_standing", "state"})
+    csv.word(column);
+  csv.end_row();
   for (const auto& [alpha, worst, interval] : found_.points) {
+    csv.word("point").number(alpha);
     const bool some = interval.has_factors();
-    fmt::print(out, "point,{},{},{},{},{},{},{}\n", alpha, finite(worst.ends.at_least()),
-               finite(worst.ends.at_most()), worst.proved() ? 1 : 0,
-               some ? finite(interval.minimum.at_most()) : "",
-               some ? finite(interval.largest.at_least()) : "",
-               is_proved(interval.standing()) ? 1 : 0);
+    for (const auto& bound :
+         {worst.ends.lower, worst.ends.upper, some ? interval.minimum.upper : std::nullopt,
+          some ? interval.largest.lower : std::nullopt})
+      add_cells(csv, bound);
+    csv.word(state_of(worst)).end_row();
   }
   if (!curve()) return;
   const auto row = [&](double beta, double factor, const std::optional<double>& error) {
-    const double off = error.value_or(0);
-    fmt::print(out, "breakpoint,{},{},{},{},,,\n", alpha_at(beta), factor - off, factor + off,
-               error ? 1 : 0);
+    csv.word("breakpoint").number(beta * options_.alpha.back());
+    const auto ends = around(factor, error);
+    for (const auto& bound : {ends.lower, ends.upper}) add_cells(csv, bound);
+    for (int empty = 0; empty < 5; ++empty) csv.nothing();
+    csv.end_row();
   };
   for (const auto& piece : curve()->pieces) row(piece.from.at, piece.from.factor, piece.error);
   const auto& last = curve()->pieces.back();
   row(last.to, last.factor_at_end, last.error);
-}
-
-std::string LoadSweep::curve_text() const {
-  if (!curve()) return {};
-  std::string text = "\n       alpha       factor  collapse mode above this alpha\n";
-  const auto out = std::back_inserter(text);
-  for (const auto& piece : curve()->pieces) {
-    const auto mode = problems::collapse_mode(problem_, piece.from.motion);
-    fmt::format_to(out, "{:>12.8g} {:>12.8g}  {} yielding{}\n", alpha_at(piece.from.at),
-                   piece.from.factor, answer::counted(mode.yielding.size(), "member"),
-                   mode.along_reference ? ", along the reference load" : "");
-  }
-  const auto& last = curve()->pieces.back();
-  fmt::format_to(out, "{:>12.8g} {:>12.8g}\n", alpha_at(last.to), last.factor_at_end);
-  if (curve()->end) {
-    fmt::format_to(out, "{:>12.8g}     not carried at any factor from here on, {}\n",
-                   alpha_at(curve()->end->not_carried_at),
-                   answer::standing_word(curve()->end->standing));
-  }
-  return text;
 }
 
 std::string LoadSweep::table() const {
@@ -231,7 +200,8 @@ std::string LoadSweep::table() const {
                      apart ? "; open: the two bounds differ" : "", lower_end_text(interval));
     }
   }
-  return text + curve_text();
+  if (curve()) text += '\n' + curve_text(problem_, *curve(), "alpha", options_.alpha.back());
+  return text;
 }
 
 answer::Verdict LoadSweep::verdict() const {

@@ -254,6 +254,8 @@ Command sweep_friction() {
   };
   return {"sweep --mu",
           {{"steps", {.answer = steps}},
+           {"steps, with --prove",
+            {.answer = with([](auto& found) { found.infeasible->standing = Standing::proved; })}},
            {"none", {.answer = with([](auto& found) {
                        std::tie(found.infeasible, found.count) = std::pair(computed(1), 0);
                      })}},

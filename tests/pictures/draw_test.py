@@ -333,6 +333,11 @@ class Draw(KusabiCase):
             (text.replace('"d": 2', '"d": 3'), "is not a list of 3 numbers")))
         self.assertIn("expected 1 to ", self.refused("draw", self.result, "--pattern", 99))
 
+    def test_refuses_a_friction_coefficient_that_is_no_number(self):
+        held = self.solve("hold", "peg-under-load.toml", "--mu", 0.4)
+        held["options"]["mu"] = ["x"]
+        self.check_refusals("draw", ((json.dumps(held), "'mu' is not a number"),))
+
 
 if __name__ == "__main__":
     main()

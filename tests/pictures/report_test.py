@@ -396,14 +396,40 @@ class Report(KusabiCase):
         self.assertLessEqual(factor, worst["lower"]["value"])
         self.assertLess(worst["lower"]["value"] - factor, 1e-3)
         factors = self.numbers(page.with_id("factors"))
-        for known in (answer["nominal"], worst["lower"]["value"], worst["upper"]["value"], answer["alpha"]):
+        for known in (answer["nominal_bounds"]["upper"]["lower"]["value"], worst["lower"]["value"], worst["upper"]["value"], answer["alpha"]):
             self.assertIn(known, factors)
         for known in (*answer["utilisation"], *(each["elongation"] for each in answer["collapse_mode"]["yielding"])):
             self.assertIn(known, factors)
         for name in ("collapse-nominal", "collapse-worst"):
             self.assertEqual(page.with_id(name).tag, "svg")
-        self.solve("limit", "gust.toml")
-        self.assertNotIn("reservations", self.page().named)
+        answer = self.solve("limit", "gust.toml")["result"]
+        page = self.page()
+        self.assertNotIn("reservations", page.named)
+        largest = answer["nominal_bounds"]["upper"]
+        for bound, name, below in ((largest["lower"], "at least", True), (largest["upper"], "at most", False)):
+            shown = self.fact(page, f"nominal load factor, {name} (proved)")
+            self.assertEqual(shown <= bound["value"], below or shown == bound["value"])
+
+    def fact(self, page, name):
+        """The number shown in the row of this name."""
+        row = next(each for each in page.root.all("tr") if each.children[0].text() == name)
+        return float(row.children[1].text())
+
+    def test_rounds_bounds_outwards_and_gives_each_its_standing(self):
+        result = self.solve("sweep", "gust.toml", "--alpha", "0.5")
+        result["result"]["points"][0].update(lower={"value": 0.99999999999, "standing": "computed"},
+                                             upper={"value": 1.00000000001, "standing": "proved"})
+        self.result.write_text(json.dumps(result))
+        page = self.page()
+        table = next(each for each in page.root.all("table") if "at the given points" in each.children[0].text())
+        row = next(table.all("tbody")).children[0]
+        self.assertEqual([each.text() for each in row.children[1:5]], ["0.9999999999", "computed", "1.000000001", "proved"])
+
+    def test_shows_that_the_existence_of_a_carried_factor_is_undecided(self):
+        self.solve("limit", "../tests/cases/uplift.toml", "--alpha", 2)
+        text = self.page().with_id("factors").text()
+        self.assertIn("undecided whether at any factor", text)
+        self.assertIn("is not carried at factors below (proved)", text)
 
     def rows(self, page, caption):
         """Numbers of the table with this caption, row by row."""

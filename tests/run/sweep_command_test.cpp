@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <sstream>
 #include <string>
 
 #include <fmt/format.h>
@@ -132,6 +133,35 @@ TEST_F(SweepCommand, AgreesWithLimitAtEachPoint) {
     EXPECT_DOUBLE_EQ(result["curve"][i]["from"], 40 * curve[i]["from"].get<double>());
     EXPECT_EQ(result["curve"][i]["factor_to"], curve[i]["factor_to"]);
   }
+}
+
+TEST_F(SweepCommand, SaysWhatTheExactTestHasProved) {
+  const auto call = command + " sweep " + file_of("two-bars.toml") + " --mu 1,3";
+  EXPECT_THAT(shell(call).output, HasSubstr("there is 1 sign pattern (computed, not proved)."));
+  const auto run = shell(call + " --prove --output " + argument("out.json"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, testing::Not(HasSubstr("computed")));
+  EXPECT_THAT(run.output, HasSubstr("Exact arithmetic proves this"));
+  const auto result = Json::parse(content(in_folder("out.json")))["result"];
+  EXPECT_EQ(result["infeasible"]["standing"], "proved");
+}
+
+TEST_F(SweepCommand, GivesEachBoundOfALoadFactorItsOwnStandingInCsv) {
+  const auto run = shell(command + " sweep " + file_of("gust.toml") + " --alpha 0:0.6:0.3 --csv " +
+                         argument("c.csv"));
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  std::istringstream lines(content(in_folder("c.csv")));
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line,
+            "row,alpha,lower,lower_standing,upper,upper_standing,carried_from,"
+            "carried_from_standing,carried_to,carried_to_standing,state");
+  while (std::getline(lines, line)) {
+    EXPECT_EQ(std::ranges::count(line, ','), 10) << line;
+    EXPECT_THAT(line,
+                testing::ContainsRegex("^(point|breakpoint),[^,]*,[^,]+,proved,[^,]+,proved,"));
+  }
+  EXPECT_THAT(run.output, HasSubstr("each factor is within "));
 }
 
 TEST_F(SweepCommand, WritesPointsAndStepsAsCsvAndSvg) {

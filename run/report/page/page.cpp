@@ -57,15 +57,10 @@ void add_problem_section(Markup& page, const ResultReader& reader, const ResultS
 void add_bracket(Markup& page, const ResultReader& reader) {
   const auto& bracket = reader.at(reader.at(reader.all(), "result"), "critical_friction");
   page.open("section", {{"id", "bracket"}}).element("h2", "Critical friction coefficient");
-  auto facts = ResultJson::object();
-  const auto take = [&](const char* key, const char* name) {
-    if (const auto* const bound = ResultReader::find(bracket, key))
-      facts[fmt::format("{} ({})", name, reader.text(*bound, "standing"))] =
-          reader.number(*bound, "value");
-  };
-  take("lower", "cannot stick at");
-  take("upper", "sticks at");
-  add_facts(page, "Bracket", facts);
+  begin_facts(page, "Bracket");
+  add_bound_fact(page, reader, "cannot stick at", bracket, "lower");
+  add_bound_fact(page, reader, "sticks at", bracket, "upper");
+  end_table(page);
   page.close();
 }
 
