@@ -401,12 +401,9 @@ struct LoadSteps {
               "lower bound of the largest factor without uncertainty"),
         field("nominal_at_none", &LoadSteps::nominal_at_none,
               "the nominal load is carried at no factor"),
-        field("half_width", &LoadSteps::half_width, "of the last point computed"),
-        field("force", &LoadSteps::force, "unit of half_width; null: a multiple of the loads"),
-        field("worst", &LoadSteps::worst, "of the least of the largest factors there"),
-        field("minimum", &LoadSteps::minimum, "of the greatest of the least factors there"),
+        field("force", &LoadSteps::force, "unit of alpha; null: it is a multiple of the loads"),
         field("worst_at_none", &LoadSteps::worst_at_none,
-              "some load is carried at no factor there"),
+              "at the last point some load is carried at no factor"),
         field("requested", &LoadSteps::points_asked, "number of points"),
         field("open", &LoadSteps::open, "a point or a piece of the curve is not proved")};
   }

@@ -84,10 +84,10 @@ def main():
             alone, _ = timed([*call, "--serial"])
             shared = timed([*shlex.split(arguments.mpirun), *call])[0] if arguments.mpirun else float("nan")
             found = json.loads(output.read_text())
-            worst, interval = found["result"]["worst_case"], found["result"]["guaranteed_interval"]
+            worst = found["result"]["maximum"]
             low, high = worst["lower"]["value"], worst["upper"]["value"]
             bracket = f"{low} ... {high}"
-            state = "" if worst["standing"] == interval["standing"] == "proved" else " (open)"
+            state = "" if found["verdict"]["answered"] else " (open)"
             line = (f"{row:<14} {found['problem']['members']:>7} {found['problem']['m']:>5} {alone:>8.2f}s {shared:>8.2f}s"
                     f"  {bracket}{state}")
             if not arguments.no_peer and shutil.which("glpsol"):

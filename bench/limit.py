@@ -59,7 +59,7 @@ def measure(kusabi, folder, bays, alpha):
     checked, _ = call([kusabi, "verify", cert, "--problem", file, "--serial"])
     with open(out) as text:
         answer = json.load(text)
-    worst = answer["result"]["worst_case"]
+    worst = answer["result"]["maximum"]
     return {"file": file, "members": len(answer["result"]["nominal_forces"]), "seconds": seconds, "verify": checked,
             "uncertain": answer["result"]["uncertain_components"], "lower": worst["lower"]["value"],
             "upper": worst["upper"]["value"],

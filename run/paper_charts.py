@@ -122,4 +122,4 @@ def figure_10(result):
                  [Curve("random loads", "dots", list(enumerate(factors, 1))),
                   Curve("nominal load", "", [(1, result["nominal"]), (len(factors), result["nominal"])]),
                   Curve("λ_min(α), the worst case", "dashed",
-                        [(1, result["worst_case"]["upper"]["value"]), (len(factors), result["worst_case"]["upper"]["value"])])])
+                        [(1, result["maximum"]["upper"]["value"]), (len(factors), result["maximum"]["upper"]["value"])])])

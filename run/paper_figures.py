@@ -119,7 +119,7 @@ def nominal(run):
 
 
 def worst_case(run):
-    ends = run.result["worst_case"]
+    ends = run.result["maximum"]
     return enclosed(ends["lower"]["value"], ends["upper"]["value"], 4)
 
 
@@ -170,7 +170,7 @@ def stopped(run):
 
 
 def samples(run):
-    least, worst = run.result["samples"]["least"], run.result["worst_case"]["upper"]["value"]
+    least, worst = run.result["samples"]["least"], run.result["maximum"]["upper"]["value"]
     return "all above λ_min" if least >= worst else f"some below: {least:.4f}"
 
 

@@ -49,7 +49,7 @@ def holding(truth):
 
 
 def worst(truth):
-    return proved("worst_case", truth)
+    return proved("maximum", truth)
 
 
 def between(least, most):
@@ -103,7 +103,7 @@ DAILY = [
     Row("limit-8", limit(grid(8), 40), *worst(1.40955087)),
     Row("limit-10", limit(grid(10), 40), *worst(-1.53016484)),
     Row("dome-8", dome(8, 3), *worst(1.11614366)),
-    Row("loss-bridge", limit(BRIDGE, 1, "--lose", 1), *proved("member_loss", -1.34)),
+    Row("loss-bridge", limit(BRIDGE, 1, "--lose", 1), *proved("factor", -1.34)),
     Row("verify-patterns", verify(patterns(space_truss(15, 2))), verified, "proved", opened=COVERING),
     Row("verify-critical", verify(critical(space_truss(15, 2)), ".lower"), verified, "proved",
         opened=COVERING),

@@ -16,6 +16,7 @@ import argparse
 import itertools
 import json
 import math
+import operator
 import os
 import random
 import subprocess
@@ -229,6 +230,17 @@ def just_carried(truss, cases):
     return any(ends is not None and ends[1] - ends[0] <= NEAR for ends in every)
 
 
+def carried(result):
+    """Brackets of the ends of the interval of a result, and whether it is empty; None: undecided."""
+    lower, upper = result["minimum"], result["maximum"]
+
+    def holds(one, other, relation):
+        return one is not None and other is not None and relation(one["value"], other["value"])
+    empty = result["carried_at_none"] or holds(lower["lower"], upper["upper"], operator.gt)
+    some = holds(lower["upper"], upper["lower"], operator.le)
+    return {"lower": lower, "upper": upper, "empty": True if empty else False if some else None}
+
+
 def contradicts(said, true):
     """True if a bound of a result excludes an end of the interval of the vertices."""
     if true is None:
@@ -305,7 +317,7 @@ def examine(program, seed, index, counts):
             return count_as("mechanism", counts)
         if result is None:
             return f"exit code {code}: {said}"
-        interval = result.get("guaranteed_interval_of_all_cases", result.get("guaranteed_interval"))
+        interval = carried(result)
         try:
             true = truth(truss, cases)
             agrees = same(interval, true)

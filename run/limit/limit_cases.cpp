@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/fields.hpp"
 #include "answer/values.hpp"
 #include "answer/words.hpp"
 #include "run/limit/limit_report.hpp"
@@ -178,13 +179,8 @@ ordered_json cases_json(std::span<const LimitCase> cases) {
       row["critical_factors"] = factors_json(each.truss, each.problem,
                                              answer.worst ? answer.worst->zeta : Eigen::VectorXd());
     }
-    if (const auto& worst = answer.worst) {
-      row["worst_case"] = bounds_json(worst->ends, worst->standing);
-      row["guaranteed_interval"] = interval_json(guaranteed_interval(answer, each.found.residual));
-    }
-    if (const auto& loss = each.found.loss) {
-      row["member_loss"] = bounds_json(loss->ends, loss->standing);
-    }
+    if (answer.worst) row.update(interval_json(guaranteed_interval(answer, each.found.residual)));
+    if (const auto& loss = each.found.loss) row["factor"] = answer::written(loss->ends);
     row["state"] = state_of(each.found);
     rows.push_back(std::move(row));
   }

@@ -110,8 +110,6 @@ void add_worst_case(ordered_json& result, const LimitReport& report,
   result["alpha"] = answer::number_or_null(
       problems::common_half_width(report.problem, *report.options.parameters.alpha));
   result["uncertain_components"] = report.problem.uncertain_count();
-  result["worst_case"] = bounds_json(worst.ends, worst.standing);
-  result["worst_case"]["from"] = worst.as_printed ? "zero-one" : "static-evidence";
   if (worst.zero_one) result["zero_one"] = zero_one_json(*worst.zero_one);
   add_critical_load(result, report.problem, worst.zeta);
   if (worst.collapse) {
@@ -129,12 +127,11 @@ void add_worst_case(ordered_json& result, const LimitReport& report,
                         {"rounds", worst.counts.rounds}};
 }
 
-void add_interval(ordered_json& result, const LimitReport& report) {
-  auto& interval = result["guaranteed_interval"];
-  interval = interval_json(guaranteed_interval(report.answer, report.residual));
+// The load that determines the least factor that is carried under every admissible load.
+void add_critical_load_of_minimum(ordered_json& result, const LimitReport& report) {
   const auto& reversed = (report.residual ? *report.residual : report.answer).reversed;
-  if (!reversed || reversed->zeta.size() == 0) return;
-  interval["lower"]["critical_parameters"] = parameters_json(report.problem, reversed->zeta);
+  if (reversed && reversed->zeta.size() > 0)
+    result["minimum_parameters"] = parameters_json(report.problem, reversed->zeta);
 }
 
 ordered_json samples_json(const LimitReport& report) {
@@ -155,14 +152,14 @@ ordered_json result_json(const LimitReport& report) {
   if (!report.load_case.empty()) {
     result["case"] = report.load_case;
     result["cases"] = cases_json(report.cases);
-    if (report.options.parameters.alpha && !report.loss) {
-      result["guaranteed_interval_of_all_cases"] = interval_json(interval_of_all(report.cases));
-    }
   }
   result["nominal"] = answer.nominal ? ordered_json(answer.nominal->factor) : ordered_json();
   if (answer.nominal) {
     result["nominal_interval"] = carried_between(*answer.nominal);
-    result["nominal_bounds"] = interval_json(nominal_interval(answer, {}));
+    // Otherwise these bounds are the answer.
+    if (options.parameters.alpha || options.parameters.loss || report.residual ||
+        report.cases.size() > 1)
+      result["nominal_bounds"] = interval_json(nominal_interval(answer, {}));
     result["nominal_mode"] = mode_json(problem, answer.nominal->motion);
     result["nominal_forces"] = numbers(answer.nominal->forces);
     result["nominal_utilisation"] = numbers(utilisation(problem, answer.nominal->forces));
@@ -176,7 +173,7 @@ ordered_json result_json(const LimitReport& report) {
     result["critical_factors"] =
         factors_json(report.truss, problem, answer.worst ? answer.worst->zeta : Eigen::VectorXd());
   }
-  if (options.parameters.alpha && !report.loss) add_interval(result, report);
+  if (options.parameters.alpha && !report.loss) add_critical_load_of_minimum(result, report);
   if (!answer.samples.empty()) result["samples"] = samples_json(report);
   add_curves(result, report);
   return result;

@@ -117,7 +117,11 @@ const char* loss_state(limit::LoadStatus status);
 std::string loss_text(const problems::LimitProblem& problem, const problems::Structure& truss,
                       const limit::LossAnswer& loss);
 
-/// The key `member_loss` of a result.
+/// Names of members.
+std::vector<std::string> names_of(const problems::LimitProblem& problem,
+                                  const std::vector<int>& members);
+
+/// The key `member_loss` of a result: what the answer does not have.
 nlohmann::ordered_json loss_json(const problems::LimitProblem& problem,
                                  const problems::Structure& truss, const limit::LossAnswer& loss);
 

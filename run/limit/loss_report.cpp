@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/fields.hpp"
 #include "answer/values.hpp"
 #include "answer/words.hpp"
 #include "problems/limit/collapse_mode.hpp"
@@ -28,13 +29,6 @@ using problems::LimitProblem;
 
 /// Smaller relative changes of a factor are rounding errors of the simplex method.
 constexpr double lowers_by = 1e-9;
-
-std::vector<std::string> names_of(const LimitProblem& problem, const std::vector<int>& members) {
-  std::vector<std::string> names;
-  names.reserve(members.size());
-  for (const int i : members) names.push_back(problems::member_name(problem, i));
-  return names;
-}
 
 double value_of(const SingleLoss& single) {
   if (single.status == LoadStatus::not_carried) return -std::numeric_limits<double>::infinity();
@@ -146,6 +140,13 @@ void write_ends(std::string& text, const LossAnswer& loss) {
 
 }  // namespace
 
+std::vector<std::string> names_of(const LimitProblem& problem, const std::vector<int>& members) {
+  std::vector<std::string> names;
+  names.reserve(members.size());
+  for (const int i : members) names.push_back(problems::member_name(problem, i));
+  return names;
+}
+
 const char* loss_state(LoadStatus status) {
   return status == LoadStatus::collapses     ? "collapses"
          : status == LoadStatus::not_carried ? "not-carried"
@@ -189,11 +190,9 @@ std::string loss_text(const LimitProblem& problem, const problems::Structure& tr
 
 ordered_json loss_json(const LimitProblem& problem, const problems::Structure& truss,
                        const LossAnswer& loss) {
-  ordered_json json{{"eligible", loss.eligible}};
-  json.update(bounds_json(loss.ends, loss.standing));
-  json.update({{"fatal", loss.fatal.has_value()},
-               {"lost", names_of(problem, loss.lost)},
-               {"undecided", loss.undecided}});
+  ordered_json json{{"eligible", loss.eligible},
+                    {"standing", answer::name_of(loss.standing)},
+                    {"undecided", loss.undecided}};
   auto singles = ordered_json::array();
   for (const auto& single : loss.singles) {
     const bool finite = single.status == LoadStatus::collapses;
@@ -235,22 +234,23 @@ answer::MemberLoss member_loss(std::span<const LimitCase> cases, const std::vect
     return answer;
   }
   answer.factor.upper = worst.ends.upper;
-  double lower = std::numeric_limits<double>::infinity();
+  std::optional<support::Bound> lower;
+  bool known = true;
   bool reached = true;
   bool missed = false;
   for (const auto& each : cases) {
     const auto& loss = *each.found.loss;
     missed = missed || !loss.reaches_target.value_or(true);
     const auto& carried = answer.struts ? each.found.residual_loss : each.found.loss;
-    if (!carried) {
-      lower = -std::numeric_limits<double>::infinity();
-      reached = false;
-      continue;
-    }
-    lower = std::min(lower, carried->ends.at_least());
-    reached = reached && carried->reaches_target.value_or(false);
+    reached = reached && carried && carried->reaches_target.value_or(false);
+    known = known && carried && carried->ends.lower;
+    if (!known) continue;
+    const auto& bound = *carried->ends.lower;
+    lower = lower ? support::Bound{std::min(lower->value, bound.value),
+                                   support::both(lower->standing, bound.standing)}
+                  : bound;
   }
-  if (std::isfinite(lower)) answer.factor.lower = support::Bound{lower, support::Standing::proved};
+  if (known) answer.factor.lower = lower;
   if (worst.target && (reached || missed)) answer.reached = reached;
   return answer;
 }

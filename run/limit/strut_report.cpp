@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "answer/fields.hpp"
 #include "answer/values.hpp"
 #include "answer/words.hpp"
 #include "problems/limit/utilisation.hpp"
@@ -86,12 +87,13 @@ nlohmann::ordered_json strut_json(const LimitReport& report) {
       {"nominal", residual.nominal ? answer::number_or_null(residual.nominal->factor)
                                    : nlohmann::ordered_json()},
       {"at_no_factor", limit::at_no_factor(residual).has_value()}};
-  if (const auto& worst = residual.worst) {
-    json["worst_case"] = bounds_json(worst->ends, worst->standing);
-    json["guaranteed_interval"] = interval_json(guaranteed_interval(residual));
+  if (residual.worst) json.update(interval_json(guaranteed_interval(residual)));
+  if (const auto& loss = report.residual_loss) {
+    json.update({{"factor", answer::written(loss->ends)},
+                 {"fatal", answer::written(loss->fatal)},
+                 {"lost", names_of(report.problem, loss->lost)},
+                 {"member_loss", loss_json(report.problem, report.truss, *loss)}});
   }
-  if (report.residual_loss)
-    json["member_loss"] = loss_json(report.problem, report.truss, *report.residual_loss);
   return json;
 }
 

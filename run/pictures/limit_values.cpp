@@ -91,23 +91,9 @@ std::string passed_text(const GuaranteedInterval& interval) {
                      answer::standing_word(support::Standing::proved));
 }
 
-ordered_json bounds_json(const support::Bracket& ends, support::Standing standing) {
-  auto json = answer::written(ends);
-  json["standing"] = answer::name_of(standing);
-  return json;
-}
-
 ordered_json interval_json(const GuaranteedInterval& interval) {
-  const auto known = [&]() -> ordered_json {
-    if (interval.is_empty()) return true;
-    if (interval.has_factors()) return false;
-    return {};
-  };
-  return {{"lower", answer::written(interval.minimum)},
-          {"upper", answer::written(interval.largest)},
-          {"empty", known()},
-          {"passed", interval.passed() ? ordered_json(*interval.passed()) : ordered_json()},
-          {"standing", answer::name_of(interval.standing())}};
+  return {{"minimum", answer::written(interval.minimum)},
+          {"maximum", answer::written(interval.largest)}};
 }
 
 NamedMode named_mode(const LimitProblem& problem, const Eigen::VectorXd& motion) {

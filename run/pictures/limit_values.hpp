@@ -24,10 +24,7 @@ std::string interval_text(const limit::GuaranteedInterval& interval, std::string
 /// Statement on the design load at every stage of loading, without a line end.
 std::string passed_text(const limit::GuaranteedInterval& interval);
 
-/// The bounds of a factor, and the standing of both together.
-nlohmann::ordered_json bounds_json(const support::Bracket& ends, support::Standing standing);
-
-/// The key `guaranteed_interval` of a result (docs/result-files.md).
+/// `minimum` and `maximum`, the brackets of both ends (docs/result-files.md).
 nlohmann::ordered_json interval_json(const limit::GuaranteedInterval& interval);
 
 /// A collapse mode by the names of the members that yield.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -44,8 +45,8 @@ class LimitSection {
   // "Collapse after the worst loss known, load case b, λ = 0.5".
   [[nodiscard]] std::string heading(const pictures::Scene& scene, bool loss) const {
     const auto* const load_case = ResultReader::find(result_, "case");
-    const bool proved = loss && reader_.text(reader_.at(result_, "member_loss"), "standing") ==
-                                    answer::standing_word(support::Standing::proved);
+    const bool proved =
+        loss && reader_.text(reader_.at(result_, "member_loss"), "standing") == proved_;
     return fmt::format("Collapse {} the {}{}{}, {}", loss ? "after" : "under", scene.name,
                        loss && !proved ? " known" : "",
                        load_case == nullptr ? "" : ", load case " + load_case->get<std::string>(),
@@ -69,7 +70,7 @@ class LimitSection {
     page_.close().open("div");
     if (loss) {
       const auto& found = reader_.at(result_, "member_loss");
-      page_.element("p", "Lost: " + joined(reader_.names(found, "lost")));
+      page_.element("p", "Lost: " + joined(reader_.names(result_, "lost")));
       mode(found, "collapse_mode");
       if (ResultReader::find(found, "critical_load") != nullptr) critical_load(found);
     } else {
@@ -85,61 +86,73 @@ class LimitSection {
     add_bound_fact(page_, reader_, name + ", at most", bracket, "upper");
   }
 
+  // Standing of a statement that follows from two bounds.
+  [[nodiscard]] std::string of_both(const ResultJson& one, const ResultJson& other) const {
+    return answer::standing_word(
+        support::both(support::proved_if(reader_.text(one, "standing") == proved_),
+                      support::proved_if(reader_.text(other, "standing") == proved_)));
+  }
+
   // Rows on the factors that are carried: from which one on, or that there is none.
-  // @return true if one is
+  // @param interval its `minimum` and `maximum` @return true if one is known to be carried
   bool carried(const ResultJson& interval, const std::string& loads) {
-    const auto* const empty = ResultReader::find(interval, "empty");
-    if (empty != nullptr && *empty == true) {
-      add_fact(page_, loads + " is carried", "at no factor, " + reader_.text(interval, "standing"));
+    const auto& from = reader_.at(interval, "minimum");
+    const auto& to = reader_.at(interval, "maximum");
+    const auto [low, low_out] =
+        std::pair(reader_.bound(from, "upper"), reader_.bound(from, "lower"));
+    const auto [high, high_out] = std::pair(reader_.bound(to, "lower"), reader_.bound(to, "upper"));
+    if (low_out && high_out && *low_out > *high_out) {
+      add_fact(page_, loads + " is carried",
+               "at no factor, " + of_both(reader_.at(from, "lower"), reader_.at(to, "upper")));
       return false;
     }
-    if (empty != nullptr) {
-      add_bound_fact(page_, reader_, loads + " is carried at factors from",
-                     reader_.at(interval, "lower"), "upper");
+    if (low && high && *low <= *high) {
+      add_bound_fact(page_, reader_, loads + " is carried at factors from", from, "upper");
       return true;
     }
     add_fact(page_, loads + " is carried", "undecided whether at any factor");
-    add_bound_fact(page_, reader_, loads + " is not carried at factors below",
-                   reader_.at(interval, "lower"), "lower");
-    add_bound_fact(page_, reader_, loads + " is not carried at factors above",
-                   reader_.at(interval, "upper"), "upper");
+    add_bound_fact(page_, reader_, loads + " is not carried at factors below", from, "lower");
+    add_bound_fact(page_, reader_, loads + " is not carried at factors above", to, "upper");
     return false;
   }
 
   void factors() {
     const auto* const load_case = ResultReader::find(result_, "case");
-    const auto* const nominal = ResultReader::find(result_, "nominal_bounds");
-    const auto* const worst = ResultReader::find(result_, "worst_case");
-    if (load_case == nullptr && nominal == nullptr && worst == nullptr) return;
-    const auto* const struts = ResultReader::find(result_, "struts");
-    const std::string upper = struts == nullptr ? "" : ", struts at full strength: an upper value";
+    const bool worst = ResultReader::find(result_, "uncertain_components") != nullptr;
+    const bool nominal = ResultReader::find(result_, "nominal") != nullptr;
+    if (load_case == nullptr && !nominal && !worst) return;
+    const bool struts = ResultReader::find(result_, "struts") != nullptr;
+    const std::string upper = struts ? ", struts at full strength: an upper value" : "";
     begin_facts(page_, "Factors of the reference load");
     if (load_case != nullptr) add_fact(page_, "load case", reader_.text(result_, "case"));
-    if (nominal != nullptr) {
-      const bool combinations =
-          ResultReader::find(result_, "critical_factors") != nullptr && worst != nullptr;
-      const std::string name =
-          (combinations ? "with all factors of actions in the middle of their ranges: load factor"
-                        : "nominal load factor") +
-          upper;
-      const auto& largest = reader_.at(*nominal, "upper");
-      bounds(largest, name);
-      if (!reader_.bound(largest, "lower") && !reader_.bound(largest, "upper"))
-        number_fact(name + ", " + answer::standing_word(support::Standing::computed),
-                    reader_.at(result_, "nominal"));
-      const std::string full = struts == nullptr ? "" : ", if all struts kept their full strength,";
-      if (!combinations) carried(*nominal, "nominal load" + full);
-    }
+    if (nominal) nominal_factors(worst, struts, upper);
     if (ResultReader::find(result_, "alpha") != nullptr) {
       const auto unit = unit_of_alpha(reader_);
       number_fact(unit ? "α, half-width of each uncertain load, " + *unit
                        : "α, half-width of the factor of each uncertain load",
                   reader_.at(result_, "alpha"));
     }
-    if (worst != nullptr) bounds(*worst, "worst case" + upper);
-    guaranteed(struts == nullptr ? nullptr : ResultReader::find(*struts, "guaranteed_interval"));
-    critical_interval(struts != nullptr);
+    if (worst) worst_case(struts, upper);
+    critical_interval(struts);
     end_table(page_);
+  }
+
+  void nominal_factors(bool worst, bool struts, const std::string& upper) {
+    const auto* const own = ResultReader::find(result_, "nominal_bounds");
+    const auto& bounds_of = own != nullptr ? *own : result_;  // the same, if they are the answer
+    const bool combinations = worst && ResultReader::find(result_, "critical_factors") != nullptr;
+    const std::string name =
+        (combinations ? "with all factors of actions in the middle of their ranges: load factor"
+                      : "nominal load factor") +
+        upper;
+    const auto& largest = reader_.at(bounds_of, "maximum");
+    bounds(largest, name);
+    if (!reader_.bound(largest, "lower") && !reader_.bound(largest, "upper"))
+      number_fact(name + ", " + answer::standing_word(support::Standing::computed),
+                  reader_.at(result_, "nominal"));
+    if (!combinations)
+      carried(bounds_of, std::string("nominal load") +
+                             (struts ? ", if all struts kept their full strength," : ""));
   }
 
   void number_fact(const std::string& name, const ResultJson& number) {
@@ -148,23 +161,24 @@ class LimitSection {
     page_.close().close();
   }
 
-  // @param of_struts the interval at residual strength; null: there are no struts
-  void guaranteed(const ResultJson* of_struts) {
-    if (of_struts != nullptr)
-      add_fact(page_, "strength of struts for the carried factors", "residual strength");
-    const auto* const of_all = of_struts == nullptr
-                                   ? ResultReader::find(result_, "guaranteed_interval_of_all_cases")
-                                   : nullptr;
-    const auto* const interval = of_struts != nullptr ? of_struts
-                                 : of_all != nullptr
-                                     ? of_all
-                                     : ResultReader::find(result_, "guaranteed_interval");
-    if (interval == nullptr) return;
+  // With struts, the factors at residual strength are carried.
+  void worst_case(bool struts, const std::string& upper) {
+    const bool all = ResultReader::find(result_, "cases") != nullptr;
     const std::string loads =
-        of_all == nullptr ? "every admissible load" : "every admissible load in every load case";
-    if (carried(*interval, loads))
-      add_bound_fact(page_, reader_, loads + " is carried at factors up to",
-                     reader_.at(*interval, "upper"), "lower");
+        all ? "every admissible load in every load case" : "every admissible load";
+    if (ResultReader::find(result_, "carried_at_none") != nullptr) {
+      add_fact(page_, loads + " is carried",
+               "at no factor, " + reader_.text(result_, "carried_at_none"));
+      return;
+    }
+    const auto& largest = reader_.at(result_, "maximum");
+    if (!struts) bounds(largest, "worst case");
+    if (struts) {
+      add_bound_fact(page_, reader_, "worst case" + upper + ", at most", largest, "upper");
+      add_fact(page_, "strength of struts for the carried factors", "residual strength");
+    }
+    if (carried(result_, loads))
+      add_bound_fact(page_, reader_, loads + " is carried at factors up to", largest, "lower");
   }
 
   // The least and the largest factor of the critical load, which are computed.
@@ -256,7 +270,7 @@ class LimitSection {
                              : asked != nullptr ? asked->get<std::string>()
                                                 : "all actions",
                              {{"scope", "row"}});
-    const auto* const worst = ResultReader::find(row, "worst_case");
+    const auto* const worst = ResultReader::find(row, "maximum");
     for (const char* const key : {"lower", "upper"}) {
       page_.open("td");
       add_bound(page_, reader_, worst, key, few_digits);
@@ -377,6 +391,7 @@ class LimitSection {
     page_.close();
   }
 
+  const std::string proved_ = answer::standing_word(support::Standing::proved);
   Markup& page_;
   const ResultReader& reader_;
   const ResultJson& result_;

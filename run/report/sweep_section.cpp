@@ -150,8 +150,7 @@ class SweepSection {
     for (const auto& point : points) {
       page_.open("tr");
       number(point, "alpha");
-      bound(point, "lower");
-      bound(point, "upper");
+      for (const char* const key : {"lower", "upper"}) bound(reader_.at(point, "maximum"), key);
       words(reader_.text(point, "state"));
       page_.close();
     }

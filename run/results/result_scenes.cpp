@@ -241,8 +241,7 @@ class SceneReader {
     if (worst_mode != nullptr && is_chosen(all)) {
       // The reactions are those at the factor of the critical load, the upper bound up to rounding.
       const auto& interval = reader_.list(result_, "critical_interval", 2);
-      const auto& worst = reader_.at(result_, "worst_case");
-      const auto upper = reader_.bound(worst, "upper");
+      const auto upper = reader_.bound(reader_.at(result_, "maximum"), "upper");
       const double factor = reader_.number_of(interval[1], "'critical_interval'");
       auto scene = collapse("worst case", upper.value_or(factor), *worst_mode);
       add_loads(scene, {.factor = factor, .critical = &result_});
@@ -260,9 +259,9 @@ class SceneReader {
     const auto* const loss = ResultReader::find(result_, "member_loss");
     if (loss == nullptr) return;
     const auto* const mode = ResultReader::find(*loss, "collapse_mode");
-    const auto lost = reader_.names(*loss, "lost");
+    const auto lost = reader_.names(result_, "lost");
     if (mode == nullptr || lost.empty() || !is_chosen(all)) return;
-    const auto upper = reader_.bound(*loss, "upper");
+    const auto upper = reader_.bound(reader_.at(result_, "factor"), "upper");
     const double factor = upper.value_or(-HUGE_VAL);
     auto scene = collapse("worst loss", factor, *mode);
     for (const auto& index : reader_.list(*loss, "lost_index", lost.size())) {

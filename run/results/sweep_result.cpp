@@ -190,10 +190,11 @@ class SweptLoads : public SweepPage {
     constexpr int digits = 10;
     ChartSeries asked{.name = "at the given points"};
     for (const auto& point : list("points")) {
-      if (!has(point, "upper") || reader_.text(point, "state") == "not-carried") continue;
+      const auto& ends = reader_.at(point, "maximum");
+      if (!has(ends, "upper") || reader_.text(point, "state") == "not-carried") continue;
       const double alpha = number(point, "alpha");
-      const double upper = *reader_.bound(point, "upper");
-      const double lower = reader_.bound(point, "lower").value_or(-HUGE_VAL);
+      const double upper = *reader_.bound(ends, "upper");
+      const double lower = reader_.bound(ends, "lower").value_or(-HUGE_VAL);
       if (upper - lower > visible * std::abs(upper))
         asked.name = "at the given points: from the lower bound to the upper one";
       asked.lines.push_back({{alpha, lower}, {alpha, upper}});

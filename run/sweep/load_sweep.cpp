@@ -127,8 +127,8 @@ ordered_json LoadSweep::json(CommandRun& run) const {
   auto points = ordered_json::array();
   for (const auto& [alpha, worst, interval] : found_.points) {
     ordered_json point{{"alpha", alpha}};
-    point.update(bounds_json(worst.ends, worst.standing));
-    point.update({{"guaranteed_interval", interval_json(interval)}, {"state", state_of(worst)}});
+    point.update(interval_json(interval));
+    point["state"] = state_of(worst);
     points.push_back(std::move(point));
   }
   ordered_json result{{"points", std::move(points)}};
@@ -160,15 +160,13 @@ void LoadSweep::write_csv(std::ostream& out) const {
   CsvWriter csv(out);
   for (const char* const column :
        {"row", "alpha", "lower", "lower_standing", "upper", "upper_standing", "carried_from",
-        "carried_from_standing", "carried_to", "carried_to_standing", "state"})
+        "carried_from_standing", "state"})
     csv.word(column);
   csv.end_row();
   for (const auto& [alpha, worst, interval] : found_.points) {
     csv.word("point").number(alpha);
-    const bool some = interval.has_factors();
-    for (const auto& bound :
-         {worst.ends.lower, worst.ends.upper, some ? interval.minimum.upper : std::nullopt,
-          some ? interval.largest.lower : std::nullopt})
+    for (const auto& bound : {worst.ends.lower, worst.ends.upper,
+                              interval.has_factors() ? interval.minimum.upper : std::nullopt})
       add_cells(csv, bound);
     csv.word(state_of(worst)).end_row();
   }
@@ -177,8 +175,7 @@ void LoadSweep::write_csv(std::ostream& out) const {
     csv.word("breakpoint").number(beta * options_.alpha.back());
     const auto ends = around(factor, error);
     for (const auto& bound : {ends.lower, ends.upper}) add_cells(csv, bound);
-    for (int empty = 0; empty < 5; ++empty) csv.nothing();
-    csv.end_row();
+    csv.nothing().nothing().nothing().end_row();
   };
   for (const auto& piece : curve()->pieces) row(piece.from.at, piece.from.factor, piece.error);
   const auto& last = curve()->pieces.back();

@@ -199,7 +199,7 @@ class Draw(KusabiCase):
             drawn = [line for line in with_class(group(root, "moved"), "line", kind)]
             self.assertEqual(len(drawn), yielding.count(kind))
         self.assertEqual(len(with_class(root, "line", "dead")), len(answer["critical_load"]) + 1)
-        self.assertIn(f"λ = {answer['worst_case']['upper']['value']:.10g}", self.text(root))
+        self.assertIn(f"λ = {answer['maximum']['upper']['value']:.10g}", self.text(root))
 
     def check_sweep(self, name, *words):
         """The chart equals the one drawn by the sweep, and its curve matches the result. @return the result"""
@@ -238,7 +238,7 @@ class Draw(KusabiCase):
     def test_an_open_point_of_a_sweep_is_drawn_from_its_lower_to_its_upper_bound(self):
         result = self.solve("sweep", "gust.toml", "--alpha", "0:0.6:0.2")
         point = result["result"]["points"][1]
-        point["lower"]["value"] -= 1
+        point["maximum"]["lower"]["value"] -= 1
         self.result.write_text(json.dumps(result))
         lines = [self.corners(each) for each in with_class(self.draw(), "polyline", "s1")[:-1]]
         heights = [abs(a[1] - b[1]) for a, b in lines]

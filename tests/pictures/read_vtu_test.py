@@ -324,7 +324,7 @@ class ReadVtu(unittest.TestCase):
         names = structure["node_names"]
         for grid, mode, forces, load_factor, held in zip(
                 grids, (answer["nominal_mode"], answer["collapse_mode"]), (answer["nominal_forces"], answer["forces"]),
-                (answer["nominal"], answer["worst_case"]["upper"]["value"]),
+                (answer["nominal"], answer["maximum"]["upper"]["value"]),
                 (answer["nominal_support_reactions"], answer["support_reactions"])):
             self.assertTrue(held)
             reactions = np.array([held.get(name, [0, 0]) for name in names])

@@ -390,13 +390,13 @@ class Report(KusabiCase):
 
     def test_shows_a_limit_load(self):
         result = self.solve("limit", "gust.toml", "--alpha", 0.5)
-        answer, worst = result["result"], result["result"]["worst_case"]
+        answer, worst = result["result"], result["result"]["maximum"]
         page = self.page()
         factor = float(re.search(r" to (\S+) of the reference", self.verdict(page))[1])
         self.assertLessEqual(factor, worst["lower"]["value"])
         self.assertLess(worst["lower"]["value"] - factor, 1e-3)
         factors = self.numbers(page.with_id("factors"))
-        for known in (answer["nominal_bounds"]["upper"]["lower"]["value"], worst["lower"]["value"], worst["upper"]["value"], answer["alpha"]):
+        for known in (answer["nominal_bounds"]["maximum"]["lower"]["value"], worst["lower"]["value"], worst["upper"]["value"], answer["alpha"]):
             self.assertIn(known, factors)
         for known in (*answer["utilisation"], *(each["elongation"] for each in answer["collapse_mode"]["yielding"])):
             self.assertIn(known, factors)
@@ -405,7 +405,7 @@ class Report(KusabiCase):
         answer = self.solve("limit", "gust.toml")["result"]
         page = self.page()
         self.assertNotIn("reservations", page.named)
-        largest = answer["nominal_bounds"]["upper"]
+        largest = answer["maximum"]
         for bound, name, below in ((largest["lower"], "at least", True), (largest["upper"], "at most", False)):
             shown = self.fact(page, f"nominal load factor, {name} (proved)")
             self.assertEqual(shown <= bound["value"], below or shown == bound["value"])
@@ -417,8 +417,8 @@ class Report(KusabiCase):
 
     def test_rounds_bounds_outwards_and_gives_each_its_standing(self):
         result = self.solve("sweep", "gust.toml", "--alpha", "0.5")
-        result["result"]["points"][0].update(lower={"value": 0.99999999999, "standing": "computed"},
-                                             upper={"value": 1.00000000001, "standing": "proved"})
+        result["result"]["points"][0]["maximum"] = {"lower": {"value": 0.99999999999, "standing": "computed"},
+                                                    "upper": {"value": 1.00000000001, "standing": "proved"}}
         self.result.write_text(json.dumps(result))
         page = self.page()
         table = next(each for each in page.root.all("table") if "at the given points" in each.children[0].text())
@@ -467,7 +467,7 @@ class Report(KusabiCase):
                       self.verdict(page))
         self.assertEqual(page.with_id("curve").tag, "svg")
         self.assertEqual(self.rows(page, "Worst-case load factor at the given points"),
-                         [[each["alpha"], each["lower"]["value"], each["upper"]["value"]] for each in answer["points"]])
+                         [[each["alpha"], *(each["maximum"][end]["value"] for end in ("lower", "upper"))] for each in answer["points"]])
         self.assertEqual(self.rows(page, "Linear pieces of the curve"),
                          [[each[key] for key in ("from", "to", "factor_from", "factor_to", "error")] for each in answer["curve"]])
 

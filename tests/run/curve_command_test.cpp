@@ -67,7 +67,7 @@ TEST_F(CurveCommand, WorstCaseIsThatOfARunAtEachPlace) {
   EXPECT_GE(pieces.size(), 4U);
   for (int step = 0; step <= 16; ++step) {
     const double beta = 1.5 * step / 16;
-    const auto place = result_of(fmt::format("{} --alpha {}", gap, beta * 0.45))["worst_case"];
+    const auto place = result_of(fmt::format("{} --alpha {}", gap, beta * 0.45))["maximum"];
     if (beta > curves["worst_curve_end"]["carried_at"]) {
       EXPECT_TRUE(place["upper"].is_null()) << beta;
       continue;
@@ -121,9 +121,9 @@ TEST_F(CurveCommand, RandomLoadsLieAboveTheWorstCase) {
   const auto found =
       result_of(quoted(path_of_example("paper/limit-4x4.toml")) + " --alpha 40 --samples 300");
   EXPECT_NEAR(found["nominal"].get<double>(), 14.2650, 0.5e-4);
-  EXPECT_NEAR(found["worst_case"]["lower"]["value"].get<double>(), 7.7296, 0.5e-4);
+  EXPECT_NEAR(found["maximum"]["lower"]["value"].get<double>(), 7.7296, 0.5e-4);
   EXPECT_EQ(found["samples"]["factors"].size(), 300U);
-  EXPECT_GT(found["samples"]["least"], found["worst_case"]["upper"]["value"]);
+  EXPECT_GT(found["samples"]["least"], found["maximum"]["upper"]["value"]);
 }
 
 std::vector<std::string> cells_of(const std::string& line) {

@@ -111,7 +111,7 @@ TEST_F(ExportCommand, ZeroOneProgramHasTheFactorOfTheWorstVertex) {
   const double minimum =
       min_over_corners(kusabi::linear::read_program(statics).mixed.program, uncertain, 0.45);
   EXPECT_NEAR(result("mip " + quoted(worst))["objective"], minimum, 1e-8);
-  EXPECT_NEAR(result("limit " + truss + " --alpha 0.45")["worst_case"]["upper"]["value"], minimum,
+  EXPECT_NEAR(result("limit " + truss + " --alpha 0.45")["maximum"]["upper"]["value"], minimum,
               1e-8);
   if (!has("glpsol --version")) GTEST_SKIP() << "glpsol is not installed";
   EXPECT_NEAR(by_glpsol(worst), minimum, 1e-6);

@@ -35,7 +35,7 @@ TEST_F(WorstCaseCommand, FindsTheSameOnOneAndTwoRanks) {
       ASSERT_EQ(run.exit_code, 0) << run.output;
       auto json = nlohmann::json::parse(content(in_folder("out.json")));
       EXPECT_TRUE(json.erase("statistics"));
-      EXPECT_GE(json["result"]["samples"]["least"], json["result"]["worst_case"]["lower"]["value"]);
+      EXPECT_GE(json["result"]["samples"]["least"], json["result"]["maximum"]["lower"]["value"]);
       if (alone.is_null()) alone = json;
       EXPECT_EQ(json, alone);
       const auto proved = shell(launch + command + " verify " + argument("cert"));
@@ -53,7 +53,7 @@ TEST_F(WorstCaseCommand, StopsAtALimitWithItsBracket) {
   EXPECT_THAT(run.output, HasSubstr("Stopped early (node-limit)"));
   const auto json = nlohmann::json::parse(content(in_folder("out.json")));
   EXPECT_EQ(json["status"], "node-limit");
-  const auto& bracket = json["result"]["worst_case"];
+  const auto& bracket = json["result"]["maximum"];
   EXPECT_LT(json["result"]["zero_one"]["lower"], 37.0120);  // tests/reference/limit.json
   EXPECT_NEAR(bracket["lower"]["value"], 37.0120, 1e-4);    // by static cuts
   EXPECT_GE(bracket["upper"]["value"], 37.0120);
@@ -121,8 +121,8 @@ TEST_F(FewLoads, HaveTheSameWorstCaseAfterStops) {
     more = " --node-limit " + std::to_string(nodes) + " --resume " + argument("state");
     const auto stopped = result(nodes == 20 ? ranks(2) : "", 3);
     EXPECT_EQ(stopped["status"], "node-limit");
-    EXPECT_GE(stopped["result"]["worst_case"]["upper"]["value"],
-              whole["result"]["worst_case"]["lower"]["value"]);
+    EXPECT_GE(stopped["result"]["maximum"]["upper"]["value"],
+              whole["result"]["maximum"]["lower"]["value"]);
   }
   more = " --resume " + argument("state");
   auto resumed = result(ranks(2), 0);

@@ -252,7 +252,7 @@ def _grip(one, other, effect):
 
 
 def limit(one, other, effect):
-    if one.result.get("member_loss"):
+    if one.result["kind"] == "member-loss":
         _member_loss(one, other, effect)
         return
     mine, theirs = one.result, other.result
@@ -297,14 +297,14 @@ def limit(one, other, effect):
 
 
 def _member_loss(one, other, effect):
-    mine, theirs = one.result["member_loss"], other.result.get("member_loss")
-    if theirs is None:
+    mine, theirs = one.result, other.result
+    if theirs["kind"] != "member-loss":
         raise Disagreement("member loss", f"{one.said} | {other.said}")
     complete = not (one.is_open or other.is_open)
     if complete and mine["fatal"] != theirs["fatal"]:
         raise Disagreement("member loss", f"fatal: {mine['fatal']}, then {theirs['fatal']}")
     overlap("member loss",
-            questions.bracket(mine).changed(effect.slope, effect.shift), questions.bracket(theirs),
+            questions.bracket(mine["factor"]).changed(effect.slope, effect.shift), questions.bracket(theirs["factor"]),
             max(NEAR, room_of(effect.error)), complete)
     if not complete:
         raise Undecided("open loss")

@@ -356,11 +356,12 @@ def sweep_of_half_widths(asked, rng, case, mu):
         raise Unfit("half-widths by name, or load cases")
     one = complete(asked(question)).result
     other = complete(asked(Question("sweep", more=("--alpha", repr(question.alpha))))).result["points"][0]
-    if one["worst_case"]["lower"] is None or other["lower"] is None:
-        if other["lower"] != one["worst_case"]["lower"]:
-            raise Disagreement("worst case", f"{one['worst_case']} by limit, {other} by sweep")
+    ours, theirs = one["maximum"], other["maximum"]
+    if ours["lower"] is None or theirs["lower"] is None:
+        if theirs["lower"] != ours["lower"]:
+            raise Disagreement("worst case", f"{ours} by limit, {theirs} by sweep")
         return
-    agreement.overlap("worst case", questions.bracket(one["worst_case"]), questions.bracket(other), 1e-7)
+    agreement.overlap("worst case", questions.bracket(ours), questions.bracket(theirs), 1e-7)
 
 
 def without_each_member(asked, rng, case, mu):
@@ -368,9 +369,10 @@ def without_each_member(asked, rng, case, mu):
     bars = [(k, each) for k, entry in enumerate(case.table["members"]) for each in entry["between"]]
     if any("case" in entry for entry in case.table["loads"]) or len(bars) > 16:
         raise Unfit("load cases, or many members")
-    loss = complete(asked(Question("limit", lose=1))).result.get("member_loss")
-    if loss is None:
+    loss = complete(asked(Question("limit", lose=1))).result
+    if loss["kind"] != "member-loss":
         raise Unfit("not carried")
+    remaining = f"{loss['factor']['lower']!r} .. {loss['factor']['upper']!r}"
     whole = complete(asked(Question("limit"))).result["nominal"]
     least = whole
     for k, each in bars:
@@ -385,17 +387,13 @@ def without_each_member(asked, rng, case, mu):
             raise
         nominal = answer.result["nominal"]
         if nominal is None:
-            if complete(answer) and loss["fatal"] is False:
-                raise Disagreement(
-                    "member loss",
-                    f"not carried without {each}, but {loss['lower']!r} .. {loss['upper']!r} remains")
+            if complete(answer) and loss["fatal"] is None:
+                raise Disagreement("member loss", f"not carried without {each}, but {remaining} remains")
             return
         least = min(least, nominal)
-    bracket, room = questions.bracket(loss), 1e-6 * max(1, abs(least))
+    bracket, room = questions.bracket(loss["factor"]), 1e-6 * max(1, abs(least))
     if loss["fatal"] or not bracket.low - room <= least <= bracket.high + room:
-        raise Disagreement(
-            "member loss",
-            f"{loss['lower']!r} .. {loss['upper']!r}, fatal {loss['fatal']}; one by one {least!r}")
+        raise Disagreement("member loss", f"{remaining}, fatal {loss['fatal']}; one by one {least!r}")
 
 
 # Pieces

@@ -187,8 +187,15 @@ def sums(grip):
 
 
 def guaranteed(result):
-    """The guaranteed interval of `limit`, with load cases that of all of them; None without half-widths."""
-    return result.get("guaranteed_interval_of_all_cases", result.get("guaranteed_interval"))
+    """The factors that `limit` finds carried under every admissible load, in all load cases: brackets of both ends, and
+    whether there are none, None: undecided; None without half-widths."""
+    if not isinstance(result.get("uncertain"), dict):
+        return None
+    lower, upper = result["minimum"], result["maximum"]
+    above, below, low, high = (bound(*each) for each in ((lower, "lower", -math.inf), (upper, "upper", math.inf),
+                                                         (lower, "upper", math.inf), (upper, "lower", -math.inf)))
+    empty = True if result["carried_at_none"] or above > below else False if low <= high else None
+    return {"lower": lower, "upper": upper, "empty": empty}
 
 
 def is_proved(answer):

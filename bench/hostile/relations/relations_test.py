@@ -85,16 +85,16 @@ def grip(least, most):
 
 
 def limit(low=-1.0, high=2.0, nominal=2.0, **more):
-    return answer({"nominal_interval": [low, high], "nominal": nominal, **more})
+    return answer({"kind": "load-interval", "nominal_interval": [low, high], "nominal": nominal, **more})
 
 
 def guaranteed(low, high, empty=False):
-    ends = {"lower": bracket(low, low + 1e-9), "upper": bracket(high, high + 1e-9)}
-    return {"guaranteed_interval": {"empty": empty, **ends}}
+    return {"uncertain": {"half_width": 1.0}, "carried_at_none": "proved" if empty else None,
+            "minimum": bracket(low, low + 1e-9), "maximum": bracket(high, high + 1e-9)}
 
 
 def loss(lower, upper, fatal=False):
-    return answer({"member_loss": {"fatal": fatal, **bracket(lower, upper)}})
+    return answer({"kind": "member-loss", "fatal": "proved" if fatal else None, "factor": bracket(lower, upper)})
 
 
 def mip(objective, bound, said="optimal", code=0):
@@ -136,7 +136,7 @@ COMPARED = [
      [grip(1.0, 3.0), grip(1.0, None), hold((0.0, 1.0))]),
     ("grip", "hold", EXACT, hold((0.0, 1.0)), [hold((0.0, 1.0))], [grip(1.0, 2.0)]),
     ("grip", "hold", changed(force=1e-6), grip(1.0, 2.0), [grip(1e-6, 2e-6)], [grip(1e-6, 2.1e-6)]),
-    ("nominal_interval", "limit", EXACT, limit(), [limit()], [limit(low=-1.1), answer({"nominal": 2.0})]),
+    ("nominal_interval", "limit", EXACT, limit(), [limit()], [limit(low=-1.1), answer({"kind": "load-interval", "nominal": 2.0})]),
     ("nominal", "limit", EXACT, limit(), [limit()], [limit(nominal=2.1), limit(nominal=None)]),
     ("guaranteed_interval", "limit", EXACT, limit(**guaranteed(-0.5, 1.0)), [limit(**guaranteed(-0.5, 1.0))],
      [limit(), limit(**guaranteed(-0.5, 1.0, empty=True))]),
