@@ -215,12 +215,7 @@ void read_case(Lines& lines, const LimitCertificate& truss,
   lines.next();
   read_claims(lines, statement, statements);
   if (!lines.text().starts_with("residual")) return;
-  const std::string strengths = "'residual' and a strength for each member, not negative";
-  lines.expect_word("residual", strengths);
-  loads.compression.clear();
-  lines.numbers(truss.members(), loads.compression, strengths);
-  if (std::ranges::any_of(loads.compression, [](double each) { return each < 0; }))
-    lines.refuse(strengths);
+  loads.compression = read_residual_strengths(lines, loads.compression);
   statement.residual = true;
   lines.next();
   read_claims(lines, statement, statements);
@@ -243,6 +238,18 @@ LimitColumn::LimitColumn(const Sparse& load) : direction(load) {
   if (load.size() != 1) return;
   weight = std::abs(load.front().second);
   direction.front().second = std::copysign(1.0, load.front().second);
+}
+
+std::vector<double> read_residual_strengths(Lines& lines, const std::vector<double>& strengths) {
+  const std::string what =
+      "'residual' and a strength for each member, not negative and at most that in compression";
+  lines.expect_word("residual", what);
+  std::vector<double> residual;
+  lines.numbers(strengths.size(), residual, what);
+  for (std::size_t i = 0; i < residual.size(); ++i) {
+    if (residual[i] < 0 || residual[i] > strengths[i]) lines.refuse(what);
+  }
+  return residual;
 }
 
 std::string_view claim_word(LimitClaim claim) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "verify/wedged/certificate.hpp"
+#include "verify/wedged/lines.hpp"
 
 namespace kusabi::verify {
 
@@ -83,6 +84,10 @@ struct LimitStatement {
   /// True if the compression strengths are those of the struts after buckling.
   bool residual = false;
 };
+
+/// The numbers of a line 'residual', one for each member: compression strengths after buckling.
+/// @param strengths those before, which are not exceeded @throws CertificateError
+std::vector<double> read_residual_strengths(Lines& lines, const std::vector<double>& strengths);
 
 /// The keyword of a claim in a file.
 std::string_view claim_word(LimitClaim claim);

@@ -176,14 +176,11 @@ void read_claim(Lines& lines, LossStatement& statement) {
 
 // The claim at residual strength, from the current line on.
 LossStatement read_residual(Lines& lines, LossStatement statement) {
-  const std::string what = "'residual' and a strength for each member, not negative";
-  lines.expect_word("residual", what);
   std::vector<double> strengths;
-  lines.numbers(statement.truss.bars.size(), strengths, what);
-  for (std::size_t i = 0; i < strengths.size(); ++i) {
-    if (strengths[i] < 0) lines.refuse(what);
+  for (const auto& bar : statement.truss.bars) strengths.push_back(bar.compression);
+  strengths = read_residual_strengths(lines, strengths);
+  for (std::size_t i = 0; i < strengths.size(); ++i)
     statement.truss.bars[i].compression = strengths[i];
-  }
   statement.residual = true;
   read_claim(lines, statement);
   return statement;
