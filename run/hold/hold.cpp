@@ -13,6 +13,7 @@
 
 #include "answer/values.hpp"
 #include "answer/words.hpp"
+#include "nodes/wedged/hold/exact_hold.hpp"
 #include "nodes/wedged/hold/hold_record.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "problems/wedged/problem_block.hpp"
@@ -160,6 +161,7 @@ class Hold final : public Subcommand {
   problems::CheckedStructure structure_;
   std::vector<problems::FacetWarning> facets_;
   wedged::LoadedProblem loaded_;
+  std::unique_ptr<wedged::ExactHold> exact_;
   HoldFindings findings_;
 };
 
@@ -308,6 +310,12 @@ void Hold::prepare(CommandRun& run) {
   refuse_without_loads();
   refuse_total();
   make_equal_on_all_ranks(run.session(), loaded_.problem);
+  if (!options_.diagram)
+    exact_ = run.within_limits([&](const auto& work) {
+      return std::make_unique<wedged::ExactHold>(run.session().transport(), loaded_, structure_,
+                                                 options_.parameters.total,
+                                                 !options_.certificate.empty(), work);
+    });
   run.keep_state(options_.checkpoint,
                  {{"the problem", hexadecimal(loaded_.problem.provenance.fingerprint)},
                   {"the loads", hexadecimal(fingerprint_of_loads(structure_))}});
@@ -326,19 +334,29 @@ std::string Hold::announcement(const std::string& ranks) const {
 void Hold::search(CommandRun& run) {
   engine::Analysis analysis(run.session().transport(), run.analysis_options(options_.limits));
   auto& parameters = options_.parameters;
-  parameters.recorder = hold_recorder(run.session(),
-                                      {options_.certificate, options_.input.file,
-                                       options_.load_case, parameters.total, run.quiet()},
-                                      loaded_);
-  if (options_.points.empty()) {
-    findings_.friction = wedged::holding_friction(analysis, loaded_, parameters);
-    if (const auto& upper = findings_.friction->bracket.upper)
-      warn_of_facets(run, options_.input, facets_, upper->value);
-    return;
-  }
   if (options_.diagram) {
     findings_.diagram =
         wedged::diagram_of(analysis, loaded_, options_.points.front(), parameters.precision);
+    return;
+  }
+  const auto files = hold_recorder(run.session(),
+                                   {options_.certificate, options_.input.file, options_.load_case,
+                                    parameters.total, run.quiet()},
+                                   loaded_);
+  exact_->note_statics(parameters);
+  if (options_.certificate.empty()) parameters.nodes_of_evidence = wedged::max_nodes_of_evidence;
+  if (exact_->can_prove()) {
+    parameters.recorder = [this, files](wedged::HoldClaim claim, double mu) {
+      return exact_->record(claim, mu, files ? files(claim, mu) : nullptr);
+    };
+  } else {
+    parameters.recorder = files;
+  }
+  if (options_.points.empty()) {
+    findings_.friction = wedged::holding_friction(analysis, loaded_, parameters);
+    exact_->set_standings(*findings_.friction);
+    if (const auto& upper = findings_.friction->bracket.upper)
+      warn_of_facets(run, options_.input, facets_, upper->value);
     return;
   }
   for (const double mu : options_.points) {
@@ -363,16 +381,16 @@ void Hold::search_at(engine::Analysis& analysis, double mu) {
   if (options_.grip && point.factors.status == engine::Status::solved)
     point.grip = wedged::grip_range(analysis, loaded_, mu, parameters, record.get());
   findings_.ended = point.status();
-  const bool one_factor = point.factors.one_factor_at_most;
+  if (record) {
+    record->finish();
+    findings_.certified = exact_->proves_factors();
+  }
+  if (!wedged) exact_->set_standings(point.factors);
+  if (point.grip) exact_->set_standings(*point.grip);
   if (options_.points.size() > 1 && findings_.ended != engine::Status::solved)
     findings_.costs_left = point.costs();
   else
     findings_.points.push_back(std::move(point));
-  if (!record) return;
-  // Without a search, and outside of the only factor in equilibrium, the loads prove the answer.
-  findings_.certified = record->has_evidence() || (findings_.ended == engine::Status::solved &&
-                                                   (findings_.costs().empty() || one_factor));
-  if (findings_.certified) record->finish();
 }
 
 std::vector<Step> Hold::results(CommandRun& run) {

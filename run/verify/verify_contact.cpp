@@ -290,12 +290,12 @@ answer::CertificateCheck::Held held_of(const verify::Certificate& certificate,
                                       .held = ranges_of(claims.held),
                                       .none = ranges_of(claims.none)};
   if (except_large) held.displacement_ratio = verify::largest_displacement_ratio;
-  if (!claims.grip) return held;
+  if (!claims.restricts_a_sum) return held;
   const auto proved = [](double value) { return support::Bound{value, support::Standing::proved}; };
   auto& [sum, sums_of_states] = held.grip.emplace();
-  if (claims.grip->below > 0) sum.lower = proved(claims.grip->below);
-  if (claims.grip->above) sum.upper = proved(*claims.grip->above);
-  if (const auto& states = claims.grip->states)
+  if (claims.grip.below > 0) sum.lower = proved(claims.grip.below);
+  if (claims.grip.above) sum.upper = proved(*claims.grip.above);
+  if (const auto& states = claims.grip.states)
     sums_of_states = support::Bracket::proved(states->low, states->high);
   return held;
 }

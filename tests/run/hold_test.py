@@ -354,6 +354,25 @@ forces = [{{ nodes = ["ladder.8,0"], force = [0, -1] }}]
         self.assertEqual(result["verdict"]["sentence"], "These are the answers for the dead load at 5 friction coefficients: at 0.31 it cannot be held, "
                                                         "at 0.35 it can be held; the table has the other coefficients.")
 
+    def test_only_what_exact_arithmetic_proves_is_proved(self):
+        cases = SOURCES / "tests" / "cases"
+        # A weight 0.1 m beside the only candidate: the bar falls over, whatever a decoupled truss carries.
+        falls = self.solve("hold", cases / "light_beside_heavy_load.toml")
+        self.assertEqual(falls["result"]["reason"], "unbalanced")
+        # 5e-13 m beside it: held up to the digits of a file, and not exactly.
+        leans = self.solve("hold", cases / "lean_by_5e_13.toml")["result"]["holding_friction"]
+        self.assertEqual(leans["upper"], {"value": 0, "standing": "computed"})
+        # The least coefficient is 3.01924067848957, by 60 digits; that of doubles leaves a moment.
+        lever = self.solve("hold", cases / "lever_under_load_2e11.toml")["result"]["holding_friction"]
+        for end, right in (("lower", lever["lower"]["value"] <= 3.01924067848957), ("upper", lever["upper"]["value"] >= 3.01924067848957)):
+            self.assertTrue(right or lever[end]["standing"] == "computed", lever)
+        self.assertEqual(lever["lower"]["standing"], "proved")
+
+    def test_a_body_on_a_hinge_holds_balanced_loads_only(self):
+        # It may turn about the line of its candidates and supports.
+        hinge = self.solve("hold", SOURCES / "tests" / "cases" / "hinge_about_candidates.toml")
+        self.assertNotIn("any load", hinge["verdict"]["sentence"])
+
     def test_a_stopped_run_has_the_answers_of_searched_coefficients(self):
         mus = (0.4, 0.5, 0.6)
         alone = [self.solve("hold", "peg-under-load.toml", "--mu", mu)["result"]["intervals"] for mu in mus]

@@ -168,15 +168,19 @@ SplitModes split_modes(const Structure& structure, const UnconstrainedBodies& bo
   return {visible.removed(), visible.basis()};
 }
 
-// Sum of the magnitudes of force times displacement of a mode.
+// Sum of the magnitudes of force times those of the displacement by a mode, over the nodes: of work
+// that cancels, too, since positions and directions have sixteen digits.
 double size_of_work(const Structure& structure, const UnconstrainedBodies& bodies,
                     const std::vector<Force>& load, const Rationals& mode) {
   double size = 0;
   for (const auto& [node, components] : load) {
+    double force = 0;
+    double displacement = 0;
     for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
-      if (components[axis] != 0)
-        size += std::abs(components[axis] * dot(bodies.at(node, axis), mode).get_d());
+      force = std::hypot(force, components[axis]);
+      displacement = std::hypot(displacement, dot(bodies.at(node, axis), mode).get_d());
     }
+    size += force * displacement;
   }
   return size;
 }

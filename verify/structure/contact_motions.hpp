@@ -53,7 +53,8 @@ UnconstrainedModes unconstrained_modes(const Structure& structure);
 struct LoadWork {
   Rationals of_candidates;
   Rationals others;
-  std::vector<double> sizes_of_others;  ///< the same with the magnitudes of all products
+  /// The same with the magnitudes of forces and displacements.
+  std::vector<double> sizes_of_others;
 };
 
 /// Exact work of loads on all modes. @param seen those of unconstrained_modes()

@@ -28,7 +28,8 @@ class Conclusions {
   [[nodiscard]] std::optional<FactorRange> excluded_by(const Theorem& theorem) const;
   [[nodiscard]] std::vector<FactorRange> held_by(std::size_t block) const;
   [[nodiscard]] GripRange grip_of(std::size_t block) const;
-  [[nodiscard]] std::optional<GripRange> grip() const;
+  [[nodiscard]] bool restricts_a_sum() const;
+  [[nodiscard]] GripRange grip() const;
 
   // True if the dead load has a share in the states of a block: with a total, which is in units of
   // it, also where no load acts.
@@ -175,12 +176,14 @@ GripRange Conclusions::grip_of(std::size_t block) const {
   return range;
 }
 
-// Sums of the bounds and of the states of all blocks, rounded so that they remain true.
-std::optional<GripRange> Conclusions::grip() const {
-  const bool asked = std::ranges::any_of(certificate_.theorems, [](const auto& theorem) {
+bool Conclusions::restricts_a_sum() const {
+  return std::ranges::any_of(certificate_.theorems, [](const auto& theorem) {
     return theorem.grip && theorem.grip->kind != GripBound::Kind::equal;
   });
-  if (!asked) return {};
+}
+
+// Sums of the bounds and of the states of all blocks, rounded so that they remain true.
+GripRange Conclusions::grip() const {
   const auto sum = [](double one, double other, double toward) {
     if (one == 0 || other == 0) return one + other;
     return std::nextafter(one + other, toward);
@@ -212,7 +215,7 @@ std::vector<FactorRange> Conclusions::out_of_equilibrium() const {
   const auto& sizes = proof_.size_of_unbalanced_work();
   std::vector<FactorRange> all;
   for (std::size_t mode = 0; mode < work[0].size(); ++mode) {
-    const double dead_rounding = rounded * sizes[0][mode];
+    const double dead_rounding = sgn(work[0][mode]) == 0 ? 0 : rounded * sizes[0][mode];
     if (sgn(work[1][mode]) == 0) {
       if (std::abs(work[0][mode].get_d()) > dead_rounding) all.push_back({});
       continue;
@@ -241,6 +244,7 @@ HoldClaims Conclusions::of_loads() const {
   if (claims.none == std::vector{FactorRange{}}) return claims;
   claims.held = {FactorRange{}};
   claims.grip = grip();
+  claims.restricts_a_sum = restricts_a_sum();
   for (std::size_t block = 0; block < certificate_.blocks.size(); ++block) {
     const auto& actions = proof_.actions()[block];
     if (certificate_.total || (actions.unconstrained && (actions.dead || actions.reference)))
@@ -257,9 +261,8 @@ HoldClaims Conclusions::of_loads() const {
 
 bool contradict(const HoldClaims& claims) {
   if (!common(claims.held, claims.none).empty()) return true;
-  if (!claims.grip || !claims.grip->states) return false;
-  const auto& [below, above, states] = *claims.grip;
-  return states->low < below || (above && states->high > *above);
+  const auto& [below, above, states] = claims.grip;
+  return states && (states->low < below || (above && states->high > *above));
 }
 
 }  // namespace

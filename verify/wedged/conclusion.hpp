@@ -38,7 +38,8 @@ struct GripRange {
 struct HoldClaims {
   std::vector<FactorRange> held{};  ///< each factor has a state; in ascending order
   std::vector<FactorRange> none{};  ///< no factor has one; in ascending order
-  std::optional<GripRange> grip{};  ///< if a theorem restricts a sum
+  GripRange grip{};                 ///< under the dead load
+  bool restricts_a_sum = false;     ///< some theorem does
 };
 
 /// Statements of a certificate that are proved: theorems with all of their nodes and their cover.

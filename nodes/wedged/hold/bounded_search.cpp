@@ -9,21 +9,22 @@ namespace kusabi::wedged {
 
 HoldOutcome search_for_state(engine::Analysis& analysis, const LoadedProblem& block,
                              TreeEvidence& tree, const HoldParameters& parameters, bool recorded) {
+  TreeEvidence* const evidence = recorded ? &tree : nullptr;
   const auto new_tree = [&] {
     return HoldTree(block, tree.shares, tree.mu, parameters.precision, tree.grip);
   };
   const auto candidates = static_cast<int>(block.problem.contact_names.size());
   const bool automatic = parameters.tightening == Tightening::automatic;
-  if (recorded || parameters.tightening == Tightening::never ||
+  if ((recorded && !parameters.nodes_of_evidence) || parameters.tightening == Tightening::never ||
       (automatic && candidates > max_candidates_to_bound)) {
     HoldTree plain = new_tree();
-    return first_leaf(analysis, plain, recorded ? &tree : nullptr);
+    return first_leaf(analysis, plain, evidence);
   }
   std::uint64_t opened = 0, iterations = 0;
   if (automatic) {
     HoldTree plain = new_tree();
-    auto found = first_leaf_of_small(analysis, plain,
-                                     static_cast<std::uint64_t>(nodes_per_candidate * candidates));
+    auto found = first_leaf_of_small(
+        analysis, plain, static_cast<std::uint64_t>(nodes_per_candidate * candidates), evidence);
     if (found.status != engine::Status::node_limit) return found;
     opened = found.opened;
     iterations = found.tally.iterations;

@@ -47,7 +47,10 @@ HoldOutcome all_leaves(engine::Analysis& analysis, HoldTree& tree) {
   return on_all_ranks(analysis, analysis.search(tree, {}));
 }
 
-HoldOutcome first_leaf_of_small(engine::Analysis& analysis, HoldTree& tree, std::uint64_t maximum) {
+HoldOutcome first_leaf_of_small(engine::Analysis& analysis, HoldTree& tree, std::uint64_t maximum,
+                                TreeEvidence* evidence) {
+  // A journal may have the outcome of an earlier run, without its evidence.
+  if (evidence != nullptr && !analysis.has_journal()) report_nodes(tree, *evidence);
   auto outcome = analysis.by_first_rank([&] {
     engine::Options options;
     options.goal = engine::Goal::first;
@@ -56,6 +59,7 @@ HoldOutcome first_leaf_of_small(engine::Analysis& analysis, HoldTree& tree, std:
   });
   analysis.count_nodes(outcome.opened);
   if (!outcome.leaves.empty()) outcome.status = engine::Status::solved;
+  if (evidence != nullptr && outcome.status != engine::Status::solved) evidence->nodes.reset();
   return outcome;
 }
 
@@ -76,6 +80,7 @@ void record_tree(engine::Analysis& analysis, const RecordedBlock& block, TreeEvi
     report_nodes(tree, evidence);
     engine::Options options;
     options.goal = engine::Goal::first;
+    if (block.max_nodes) options.limits.nodes = *block.max_nodes;
     if (!on_all_ranks(analysis, analysis.search_anew(tree, options)).is_infeasible()) return;
   }
   for (auto& node : *evidence.nodes) node.pattern = in_whole(node.pattern, block.candidates);

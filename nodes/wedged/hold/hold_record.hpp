@@ -64,7 +64,9 @@ struct TreeEvidence {
 
 /// Searches a tree on rank 0 until its first leaf, with at most this many nodes; every rank gets
 /// the same result.
-HoldOutcome first_leaf_of_small(engine::Analysis& analysis, HoldTree& tree, std::uint64_t maximum);
+/// @param evidence null, or receives the nodes without states of a tree that has no more nodes
+HoldOutcome first_leaf_of_small(engine::Analysis& analysis, HoldTree& tree, std::uint64_t maximum,
+                                TreeEvidence* evidence = nullptr);
 
 /// Searches a tree until its first leaf; every rank gets the same result.
 /// @param evidence null, or receives the nodes without states
@@ -104,9 +106,11 @@ struct RecordedBlock {
   std::uint32_t number = 0;
   double mu = 0;
   Precision precision = Precision::escalating;
+  std::optional<std::uint64_t> max_nodes{};  ///< of a tree that is searched again; nothing: any
 };
 
-/// Records a tree, which is searched again if some of its nodes were closed by an earlier run.
+/// Records a tree, which is searched again if its nodes are not known: if some were closed by an
+/// earlier run, or with bounds of the candidates. It is not recorded if it has too many nodes.
 void record_tree(engine::Analysis& analysis, const RecordedBlock& block, TreeEvidence evidence,
                  HoldRecord& record);
 

@@ -116,7 +116,8 @@ HeldFactors with_total(engine::Analysis& analysis, const LoadedProblem& loaded, 
   auto found = is_under_reference(block) ? hold.factors(mu, true) : hold.dead_alone(mu);
   found.costs = std::move(costs);
   if (record != nullptr && found.status == engine::Status::solved)
-    hold.record({block, candidates, 0, mu, parameters.precision}, *record);
+    hold.record({block, candidates, 0, mu, parameters.precision, parameters.nodes_of_evidence},
+                *record);
   return found;
 }
 
@@ -124,15 +125,13 @@ HeldFactors with_total(engine::Analysis& analysis, const LoadedProblem& loaded, 
 
 HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                          const HoldParameters& parameters, HoldRecord* record) {
+  const HeldFactors unbalanced{.outside = Standing::proved, .not_in_equilibrium = true};
+  if (parameters.never_in_equilibrium) return unbalanced;
   HeldFactors found{.outside = Standing::proved};
-  found.any_by_supports = loaded.problem.modes.matrix.cols() == 0;
+  found.any_by_supports = is_constrained(loaded);
   if (loaded.has_reference && work_on_other_modes(loaded, {0, 1}) > negligible_work)
     return at_one_factor(analysis, loaded, mu, parameters);
-  if (work_on_other_modes(loaded, {1, 0}) > negligible_work) {
-    found.any_by_supports = false;
-    found.not_in_equilibrium = true;
-    return found;
-  }
+  if (work_on_other_modes(loaded, {1, 0}) > negligible_work) return unbalanced;
   if (parameters.total) return with_total(analysis, loaded, mu, parameters, record);
   found.intervals.push_back(HeldInterval::from(-unbounded_end, unbounded_end, Standing::proved));
   bool searched = false;
@@ -162,7 +161,9 @@ HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded
       break;
     }
     if (record != nullptr)
-      hold.record({block, blocks[number], number, mu, parameters.precision}, *record);
+      hold.record(
+          {block, blocks[number], number, mu, parameters.precision, parameters.nodes_of_evidence},
+          *record);
   }
   found.any_by_wedging = searched && wedged;
   return found;
@@ -189,7 +190,9 @@ void record_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
     if (evidence.tree) {
       const auto number = evidence.lower_block;
       const LoadedProblem block = loaded_block(loaded, blocks[number]);
-      record_tree(analysis, {block, blocks[number], number, lower->value, parameters.precision},
+      record_tree(analysis,
+                  {block, blocks[number], number, lower->value, parameters.precision,
+                   parameters.nodes_of_evidence},
                   *evidence.tree, *record);
     }
     record->finish();
@@ -200,7 +203,9 @@ void record_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
     const auto& pattern = evidence.patterns[number];
     if (!pattern) continue;
     const LoadedProblem block = loaded_block(loaded, blocks[number]);
-    record_state(analysis, {block, blocks[number], number, upper->value, parameters.precision},
+    record_state(analysis,
+                 {block, blocks[number], number, upper->value, parameters.precision,
+                  parameters.nodes_of_evidence},
                  *pattern, dead, {}, *record);
   }
   record->finish();
@@ -213,9 +218,10 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
   HoldingFriction found;
   found.bracket.upper = Bound{0, Standing::proved};
   found.maximum = parameters.maximum;
-  found.any_by_supports = loaded.problem.modes.matrix.cols() == 0;
-  if (work_on_other_modes(loaded, {1, 0}) > negligible_work) {
+  found.any_by_supports = is_constrained(loaded);
+  if (parameters.dead_out_of_equilibrium || work_on_other_modes(loaded, {1, 0}) > negligible_work) {
     found.not_in_equilibrium = true;
+    found.any_by_supports = false;
     found.bracket = {.lower = Bound{0, Standing::proved}};
     if (parameters.recorder) record_friction(analysis, loaded, found, {}, parameters);
     return found;

@@ -90,7 +90,14 @@ struct HoldParameters {
   Tightening tightening = Tightening::automatic;
   /// Sum of the normal reactions of all states; of factors only, and of a problem of one block.
   std::optional<double> total{};
-  HoldRecorder recorder{};  ///< of certificates of a coefficient; empty: none
+  HoldRecorder recorder{};  ///< of the evidence at a coefficient; empty: none
+  /// Trees are searched with bounds of the candidates, which evidence has not; those of the evidence
+  /// are searched again, up to this number of nodes. Nothing: without bounds.
+  std::optional<std::uint64_t> nodes_of_evidence{};
+  /// Proved by the loads alone: the dead load, or every factor, moves a body in a direction that no
+  /// candidate resists.
+  bool dead_out_of_equilibrium = false;
+  bool never_in_equilibrium = false;
 };
 
 /// Load factors that are held at one coefficient, as intervals with their standing. Every rank

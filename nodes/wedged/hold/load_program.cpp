@@ -165,6 +165,10 @@ LoadedProblem loaded_block(const LoadedProblem& whole, const support::IndexSet& 
   return part;
 }
 
+bool is_constrained(const LoadedProblem& loaded) {
+  return loaded.problem.modes.matrix.cols() == 0 && loaded.loads.other_modes.cols() == 0;
+}
+
 double work_on_other_modes(const LoadedProblem& loaded, LoadShare share) {
   if (count(loaded) == 0 || loaded.loads.other_modes.cols() == 0) return 0;
   const PreciseVector amounts = coefficients(loaded, share);

@@ -83,6 +83,9 @@ LoadedProblem loaded_block(const LoadedProblem& whole, const support::IndexSet& 
 /// True if a load acts on the block. @param load its number among those that are there
 bool acts(const LoadedProblem& block, Eigen::Index load);
 
+/// True if supports constrain every body on which a load acts.
+bool is_constrained(const LoadedProblem& loaded);
+
 /// True if the dead load or a clearance acts on the block.
 bool is_under_dead(const LoadedProblem& block);
 

@@ -18,20 +18,25 @@ std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness_without_li
   return verify::enclosed_problem(evidence::verified_structure(structure), work);
 }
 
+verify::Certificate header_of(const problems::WedgedProblem& problem) {
+  verify::Certificate header;
+  header.dimension = static_cast<std::size_t>(problem.dimension);
+  header.names = problem.contact_names;
+  header.blocks = problems::blocks_of(problem);
+  for (std::size_t block = 0; block < header.blocks.size(); ++block)
+    header.theorems.push_back({.block = block});
+  header.motions = static_cast<std::size_t>(problem.modes.matrix.cols());
+  for (const auto& row : problem.modes.matrix.rowwise())
+    header.motion_values.insert(header.motion_values.end(), row.begin(), row.end());
+  return header;
+}
+
 EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
                              const verify::EnclosedProblem& enclosed,
                              std::span<const double> friction, std::span<const ProvedBound> bounds,
                              LargeDisplacements large_displacements)
-    : large_displacements_(large_displacements) {
-  certificate_.dimension = static_cast<std::size_t>(problem.dimension);
-  certificate_.names = problem.contact_names;
+    : large_displacements_(large_displacements), certificate_(header_of(problem)) {
   certificate_.friction = {friction.begin(), friction.end()};
-  certificate_.blocks = problems::blocks_of(problem);
-  for (std::size_t block = 0; block < certificate_.blocks.size(); ++block)
-    certificate_.theorems.push_back({.block = block});
-  certificate_.motions = static_cast<std::size_t>(problem.modes.matrix.cols());
-  for (const auto& row : problem.modes.matrix.rowwise())
-    certificate_.motion_values.insert(certificate_.motion_values.end(), row.begin(), row.end());
   proof_.emplace(certificate_, enclosed.stiffness, enclosed.motions);
   if (!proof_->min_eigenvalue()) return;
   for (const auto& bound : bounds) {

@@ -40,6 +40,10 @@ std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness(
 std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness_without_limit(
     const problems::Structure& structure, const support::LongWork& work = {});
 
+/// The problem of a certificate with one theorem about the wedged configurations of each block;
+/// without friction, K and loads.
+verify::Certificate header_of(const problems::WedgedProblem& problem);
+
 /// Treatment of proofs that do not cover large displacements (verify/wedged/block_model.hpp). In
 /// structures with long levers, small rotations cause such displacements.
 enum class LargeDisplacements { left_out, counted };

@@ -21,9 +21,9 @@ TEST(HoldChart, ShowsTheVerticesBesideOneThatAllPiecesHave) {
                       {"everything", false},
                       {"fine", true}});
   }
-  ResultJson json{{"command", "hold"},
-                  {"result", {{"cases", {"push", "pull"}}, {"pieces", std::move(pieces)}}}};
-  const ResultReader reader(std::move(json), "result.json");
+  ResultJson result{{"command", "hold"},
+                    {"result", {{"cases", {"push", "pull"}}, {"pieces", std::move(pieces)}}}};
+  const ResultReader reader(std::move(result), "result.json");
   const auto chart = hold_chart(reader, "It can hold the pairs.");
   ASSERT_TRUE(chart && chart->shown);
   EXPECT_EQ(chart->series.size(), 4U);

@@ -1,0 +1,223 @@
+// Proofs of single trees and states on the rank that records them, and of the conclusions on all.
+#include "nodes/wedged/hold/exact_hold.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <variant>
+
+#include "engine/collectives.hpp"
+#include "nodes/evidence/verified_structure.hpp"
+#include "nodes/wedged/tree/evidence_check.hpp"
+#include "problems/wedged/problem_block.hpp"
+#include "verify/wedged/proof.hpp"
+
+namespace kusabi::wedged {
+
+using support::Standing;
+
+namespace {
+
+verify::LoadShare verified(const LoadShare& share) {
+  return {.dead = share.dead, .reference = share.reference};
+}
+
+verify::GripBound verified(const GripRestriction& grip) {
+  using Bound = verify::GripBound::Kind;
+  constexpr std::array kinds{Bound::above, Bound::below, Bound::equal};
+  return {kinds.at(static_cast<std::size_t>(grip.kind)), grip.total};
+}
+
+bool contains(const std::vector<verify::FactorRange>& ranges, double low, double high) {
+  return std::ranges::any_of(
+      ranges, [&](const auto& range) { return range.low <= low && high <= range.high; });
+}
+
+}  // namespace
+
+/// Evidence at one coefficient.
+class ExactHold::Record final : public HoldRecord {
+ public:
+  Record(ExactHold& owner, HoldClaim claim, std::vector<double> friction,
+         std::unique_ptr<HoldRecord> further)
+      : owner_(owner), claim_(claim), certificate_(owner.header_), further_(std::move(further)) {
+    certificate_.friction = std::move(friction);
+    const auto& [problem, loads] = *owner.enclosure_;
+    proof_.emplace(certificate_, problem.stiffness, problem.motions, loads);
+    if (!proof_->min_eigenvalue()) proof_.reset();
+  }
+
+  void tree(std::uint32_t block, const TreeEvidence& tree) override {
+    verify::Theorem theorem{.block = block};
+    for (const auto& share : tree.shares) theorem.shares.push_back(verified(share));
+    if (tree.grip && !theorem.about_wedged()) theorem.grip = verified(*tree.grip);
+    certificate_.theorems.push_back(std::move(theorem));
+    engine::Reduction own{.ranks = 1};
+    for (const auto& node : tree.nodes.value()) {
+      const auto result = proved_node(node);
+      own.found += result.refusal ? 1 : 0;
+      own.opened += result.except_large_displacements ? 1 : 0;
+      own.closed += std::ldexp(1.0, -(node.pattern.contact | node.pattern.separated).size());
+    }
+    // The nodes, which are disjoint, cover all patterns if their shares of these add up to one.
+    constexpr double whole = 1 - 1e-9;
+    const auto all = engine::all_reduce(owner_.transport_, own);
+    proved_.theorems.push_back(all.found == 0 && all.closed > whole);
+    proved_.except_large_displacements = proved_.except_large_displacements || all.opened > 0;
+    if (further_) further_->tree(block, tree);
+  }
+
+  void state(std::uint32_t block, const std::optional<LoadShare>& share,
+             const LoadedPattern& pattern, std::span<const double> numbers) override {
+    verify::State state{.block = block,
+                        .contact = pattern.contact,
+                        .separated = pattern.separated,
+                        .numbers = {numbers.begin(), numbers.end()}};
+    if (share) state.share = verified(*share);
+    proved_.states.push_back(proof_ && !proof_->refusal(state));
+    certificate_.states.push_back(std::move(state));
+    if (further_) further_->state(block, share, pattern, numbers);
+  }
+
+  [[nodiscard]] bool has_evidence() const override {
+    return !certificate_.theorems.empty() || !certificate_.states.empty();
+  }
+
+  void finish() override {
+    if (!proof_) return;
+    auto conclusion = verify::conclude(certificate_, *proof_, proved_);
+    if (conclusion.refusal) return;
+    auto& claims = owner_.proved_[claim_] = std::move(*conclusion.loads);
+    const bool proved = claim_ == HoldClaim::lower   ? contains(claims.none, 0, 0)
+                        : claim_ == HoldClaim::upper ? contains(claims.held, 0, 0)
+                                                     : !claims.held.empty() || !claims.none.empty();
+    if (further_ && proved) further_->finish();
+  }
+
+ private:
+  [[nodiscard]] verify::ProofResult proved_node(const ClosedNode& node) const {
+    if (!proof_) return {.refusal = "K is not enclosed"};
+    return proof_->proof_result({.claim = verify::Claim::infeasible,
+                                 .theorem = certificate_.theorems.size() - 1,
+                                 .contact = node.pattern.contact,
+                                 .separated = node.pattern.separated,
+                                 .numbers = node.numbers});
+  }
+
+  ExactHold& owner_;
+  HoldClaim claim_;
+  verify::Certificate certificate_;
+  std::unique_ptr<HoldRecord> further_;
+  std::optional<verify::Proof> proof_;
+  verify::Proved proved_;
+};
+
+ExactHold::ExactHold(engine::Transport& transport, const LoadedProblem& loaded,
+                     const problems::Structure& structure, std::optional<double> total,
+                     bool of_any_size, const support::LongWork& work)
+    : transport_(transport), loaded_(loaded), header_(header_of(loaded.problem)) {
+  header_.theorems.clear();
+  header_.total = total;
+  header_.loads.emplace().clearance = {loaded.clearance.begin(), loaded.clearance.end()};
+  if (!any_modes() && !of_any_size) return;  // nothing is to be proved
+  if (structure.coordinates.size() > max_enclosed_displacements && !of_any_size) return;
+  auto enclosed = verify::enclosed_loads(evidence::verified_under_load(structure), work);
+  if (auto* found = std::get_if<verify::LoadedEnclosure>(&enclosed)) enclosure_ = std::move(*found);
+}
+
+void ExactHold::note_statics(HoldParameters& parameters) {
+  if (!can_prove()) return;
+  record(HoldClaim::factors, 0, nullptr)->finish();
+  const auto* const known = claims(HoldClaim::factors);
+  if (known == nullptr) return;
+  parameters.dead_out_of_equilibrium = contains(known->none, 0, 0);
+  parameters.never_in_equilibrium = contains(known->none, -unbounded_end, unbounded_end);
+}
+
+std::unique_ptr<HoldRecord> ExactHold::record(HoldClaim claim, double mu,
+                                              std::unique_ptr<HoldRecord> further) {
+  proved_.erase(claim);
+  if (!can_prove()) return further;
+  auto friction = friction_with_loads(loaded_.problem, mu, 0);
+  return std::make_unique<Record>(*this, claim, std::move(friction), std::move(further));
+}
+
+const verify::HoldClaims* ExactHold::claims(HoldClaim claim) const {
+  const auto found = proved_.find(claim);
+  return found == proved_.end() ? nullptr : &found->second;
+}
+
+bool ExactHold::proves_factors() const {
+  const auto* const known = claims(HoldClaim::factors);
+  return known != nullptr && (!known->held.empty() || !known->none.empty());
+}
+
+void ExactHold::set_standings(HeldFactors& found) const {
+  if (!any_modes()) return;
+  const auto* const known = claims(HoldClaim::factors);
+  const auto held = [&](double low, double high) {
+    return support::proved_if(known != nullptr && contains(known->held, low, high));
+  };
+  const auto none = [&](double low, double high) {
+    return support::proved_if(low > high || (known != nullptr && contains(known->none, low, high)));
+  };
+  const auto outside = found.outside;  // computed, too, if some factors are unknown
+  found.outside = Standing::proved;
+  double below = -unbounded_end;  // the end of the interval before
+  for (std::size_t k = 0; k < found.intervals.size(); ++k) {
+    auto& each = found.intervals[k];
+    each.standing = held(each.low, each.high);
+    each.low_out.standing = std::isinf(each.low) ? each.standing : none(below, each.low_out.value);
+    below = each.high_out.value;
+    const bool last = k + 1 == found.intervals.size();
+    each.high_out.standing =
+        std::isinf(each.high)
+            ? each.standing
+            : none(below, last ? unbounded_end : found.intervals[k + 1].low_out.value);
+    for (const auto& end : {each.low_out, each.high_out})
+      if (end.standing == Standing::computed) found.outside = Standing::computed;
+  }
+  if (found.intervals.empty()) found.outside = none(-unbounded_end, unbounded_end);
+  found.outside = both(outside, found.outside);
+}
+
+void ExactHold::set_standings(GripRange& found) const {
+  if (!any_modes()) return;
+  const auto* const known = claims(HoldClaim::factors);
+  const auto* const grip = known != nullptr ? &known->grip : nullptr;
+  found.standing = support::proved_if(known != nullptr &&
+                                      contains(found.held ? known->held : known->none, 0, 0));
+  // The state of the evidence may have another sum in the same bracket.
+  const auto set = [&](GripEnd& end, double state, bool bounded) {
+    if (!end.known || end.unbounded) return;
+    const double low = std::min(end.held.value, end.out.value);
+    const double high = std::max(end.held.value, end.out.value);
+    const double room = std::max(high - low, verify::total_tolerance * high);
+    const bool near = state >= low - room && state <= high + room;
+    if (near) end.held.value = state;
+    end.held.standing = support::proved_if(near);
+    end.out.standing = support::proved_if(bounded);
+  };
+  const bool has_states = grip != nullptr && grip->states;
+  const double unknown = std::nan("");
+  set(found.minimum, has_states ? grip->states->low : unknown,
+      found.minimum.out.value <= 0 || (grip != nullptr && grip->below >= found.minimum.out.value));
+  set(found.maximum, has_states ? grip->states->high : unknown,
+      grip != nullptr && grip->above && *grip->above <= found.maximum.out.value);
+}
+
+void ExactHold::set_standings(HoldingFriction& found) const {
+  if (!any_modes()) return;
+  const auto* const below = claims(HoldClaim::lower);
+  const auto* const above = claims(HoldClaim::upper);
+  auto& [lower, upper] = found.bracket;
+  // A bracket that begins at zero has no coefficient below.
+  if (lower)
+    lower->standing = support::proved_if(below != nullptr ? contains(below->none, 0, 0)
+                                                          : lower->value == 0 && upper);
+  if (upper) upper->standing = support::proved_if(above != nullptr && contains(above->held, 0, 0));
+}
+
+}  // namespace kusabi::wedged
