@@ -12,12 +12,32 @@
 namespace kusabi::verify {
 namespace {
 
+// True if the digits of a hexadecimal number, such as 1.8p+3, are at most those of a double, so that
+// it is read without rounding.
+bool has_digits_of_a_double(std::string_view text) {
+  constexpr std::size_t most = 14;  // the first 0 or 1, then 52 bits
+  constexpr int least_exponent = -1074;
+  const auto mark = text.find('p');
+  const auto digits = text.substr(0, mark);
+  const auto point = digits.find('.');
+  const bool has_point = point != std::string_view::npos;
+  const auto count = digits.size() - (has_point ? 1 : 0);
+  if (count > most || (count == most && digits.front() > '1')) return false;
+  if (mark == std::string_view::npos) return true;
+  const auto after = has_point ? digits.size() - point - 1 : 0;
+  auto power = text.substr(mark + 1);
+  if (power.starts_with('+')) power.remove_prefix(1);
+  int exponent = 0;
+  std::from_chars(power.data(), power.data() + power.size(), exponent);
+  return exponent - 4 * static_cast<int>(after) >= least_exponent;
+}
+
 std::optional<double> number_in(std::string_view text) {
   const bool negative = text.starts_with('-');
   if (negative) text.remove_prefix(1);
   if (!text.starts_with("0x")) return {};
   text.remove_prefix(2);
-  if (text.starts_with('-')) return {};
+  if (text.starts_with('-') || !has_digits_of_a_double(text)) return {};
   double value = 0;
   const char* const last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, value, std::chars_format::hex);

@@ -14,11 +14,13 @@ namespace kusabi::verify {
 namespace {
 
 LoadShare read_share(Lines& lines) {
-  const std::string what = "two factors, of the dead load (0 or 1) and of the reference load";
+  const std::string what =
+      "two factors, of the dead load (0 or 1) and of the reference load, not both zero";
   LoadShare share;
   share.dead = lines.number(what);
   share.reference = lines.number(what);
   if (share.dead != 0 && share.dead != 1) lines.refuse(what);
+  if (share == LoadShare{}) lines.refuse(what);
   return share;
 }
 
