@@ -29,5 +29,6 @@ install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT do
 
 # A single file, for PYTHONPATH or for the folder of a script.
 install(FILES run/python/kusabi.py run/python/mesh_file.py DESTINATION ${CMAKE_INSTALL_DATADIR}/kusabi/python COMPONENT command)
+install(FILES verify/second_checker.py verify/second_checker_loads.py DESTINATION ${CMAKE_INSTALL_DATADIR}/kusabi/verify COMPONENT command)
 
 include(cmake/KusabiPackages.cmake)
