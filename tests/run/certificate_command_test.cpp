@@ -26,7 +26,8 @@ std::vector<std::string> node_lines(const std::string& name) {
   std::ifstream file(name);
   std::vector<std::string> lines;
   for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("infeasible") || line.starts_with("wedged") || line.starts_with("marginal"))
+    if (line.starts_with("infeasible") || line.starts_with("wedged") ||
+        line.starts_with("marginal"))
       lines.push_back(line);
   }
   std::sort(lines.begin(), lines.end());
