@@ -28,8 +28,7 @@ struct VerifyFindings {
 /// Proves a certificate about a contact problem, all statements shared among the ranks.
 /// @param structure to prove it for; nothing: the stiffness of the certificate
 /// @param text of the certificate
-/// @throws WrongInput on every rank if it is not a certificate, or if it has loads and there is no
-///         problem file
+/// @throws WrongInput on every rank if it is not a certificate
 VerifyFindings verify_contact(CommandRun& run, const VerifyOptions& options,
                               const std::optional<problems::CheckedStructure>& structure,
                               const std::string& text);

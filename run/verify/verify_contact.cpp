@@ -191,15 +191,16 @@ std::string all_patterns(int candidates) {
 // The problem of the proof.
 std::string subject(const VerifyOptions& options, const verify::Certificate& certificate,
                     const std::optional<problems::CheckedStructure>& structure,
-                    const std::optional<verify::ConsistentStructure>& consistent) {
+                    const verify::ConsistentStructure& problem) {
   auto text = fmt::format("contact candidates: {}\n", fmt::join(certificate.names, " "));
   if (!structure) {
     return text +
-           "K and the friction are those of the certificate; with --problem FILE the claim is "
-           "about a structure\n";
+           fmt::format(
+               "{} and the friction are those of the certificate; with --problem FILE the claim "
+               "is about a structure\n",
+               certificate.loads ? "K, the loads" : "K");
   }
-  text +=
-      verified_problem(options, *structure) + verified_friction(*structure, consistent->friction);
+  text += verified_problem(options, *structure) + verified_friction(*structure, problem.friction);
   if (certificate.loads) {
     const std::vector covered{certificate.loads->load_case};
     text += covered_cases_text(covered) + cases_left_text(covered, *structure);
@@ -207,7 +208,7 @@ std::string subject(const VerifyOptions& options, const verify::Certificate& cer
   return text +
          fmt::format("K was recomputed from the structure{} with errors up to {:.1e}\n",
                      certificate.loads ? ", and the loads from the forces on its nodes," : "",
-                     consistent->stiffness.radius.nearest());
+                     problem.stiffness.radius.nearest());
 }
 
 // Proved trees of a list of patterns, one for each block.
@@ -281,11 +282,11 @@ bool acts(const verify::EnclosedLoad& load) {
 }
 
 answer::CertificateCheck::Held held_of(const verify::Certificate& certificate,
-                                       const verify::ConsistentStructure& consistent,
+                                       const verify::ConsistentStructure& problem,
                                        const verify::HoldClaims& claims, bool except_large) {
-  answer::CertificateCheck::Held held{.friction = consistent.friction,
+  answer::CertificateCheck::Held held{.friction = problem.friction,
                                       .load_case = certificate.loads->load_case,
-                                      .of_reference = acts(consistent.loads[1]),
+                                      .of_reference = acts(problem.loads[1]),
                                       .total = certificate.total,
                                       .held = ranges_of(claims.held),
                                       .none = ranges_of(claims.none)};
@@ -298,6 +299,14 @@ answer::CertificateCheck::Held held_of(const verify::Certificate& certificate,
   if (const auto& states = claims.grip.states)
     sums_of_states = support::Bracket::proved(states->low, states->high);
   return held;
+}
+
+// The problem of the certificate itself; friction is the largest of the candidates.
+verify::ConsistentStructure recorded_problem(const verify::Certificate& certificate) {
+  return {.stiffness = verify::recorded_stiffness(certificate),
+          .motions = verify::recorded_motions(certificate.motion_values, certificate.motions),
+          .loads = verify::recorded_loads(certificate),
+          .friction = std::ranges::max(certificate.friction)};
 }
 
 // The structure, in the load case of the certificate.
@@ -327,21 +336,14 @@ VerifyFindings verify_contact(CommandRun& run, const VerifyOptions& options,
   // Every rank reads the certificate and proves the parts that all nodes depend on.
   const auto certificate =
       read_certificate_text([&] { return verify::read_certificate(text, options.certificate); });
-  if (!structure && certificate.loads) {
-    throw WrongInput(
-        fmt::format("{}: a certificate of loads is about a problem file; expected --problem FILE",
-                    options.certificate));
-  }
-  std::optional<verify::ConsistentStructure> consistent;
+  auto problem = recorded_problem(certificate);
   if (structure) {
     auto found = consistent_with(certificate, *structure, options);
     if (const auto* why = std::get_if<std::string>(&found))
       return refusal_of_certificate(options, *why);
-    consistent = std::move(std::get<verify::ConsistentStructure>(found));
+    problem = std::move(std::get<verify::ConsistentStructure>(found));
   }
-  auto proof = consistent ? verify::Proof(certificate, consistent->stiffness, consistent->motions,
-                                          consistent->loads)
-                          : verify::Proof(certificate);
+  verify::Proof proof(certificate, problem.stiffness, problem.motions, problem.loads);
   if (!proof.min_eigenvalue())
     return refusal_of_certificate(options, indefinite_stiffness(certificate.motions));
 
@@ -361,13 +363,13 @@ VerifyFindings verify_contact(CommandRun& run, const VerifyOptions& options,
   VerifyFindings result{.check = {.refusals = findings.refusals.size()},
                         .refusals = fmt::format("{}", fmt::join(findings.refusals, ""))};
   if (conclusion.loads)
-    result.check.claim = held_of(certificate, *consistent, *conclusion.loads,
+    result.check.claim = held_of(certificate, problem, *conclusion.loads,
                                  findings.proved.except_large_displacements);
   else if (certificate.theorems.empty())
     result.check.claim = answer::CertificateCheck::Example{.patterns = proved.states};
   else
     result.check.claim = list_of(proved);
-  result.summary = subject(options, certificate, structure, consistent) +
+  result.summary = subject(options, certificate, structure, problem) +
                    summary(certificate, proof, conclusion, bounds, proved);
   return result;
 }

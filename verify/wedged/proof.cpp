@@ -1,6 +1,7 @@
 // Proofs for each block, and the blocks of each node.
 #include "verify/wedged/proof.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "verify/structure/projected_stiffness.hpp"
@@ -89,9 +90,38 @@ EnclosedMatrix recorded_stiffness(const Certificate& certificate) {
   return projected(recorded, recorded_motions(certificate.motion_values, certificate.motions));
 }
 
+std::vector<EnclosedLoad> recorded_loads(const Certificate& certificate) {
+  std::vector<EnclosedLoad> loads;
+  if (!certificate.loads) return loads;
+  const auto d = certificate.dimension;
+  for (const auto* const forces : {&certificate.loads->dead, &certificate.loads->reference}) {
+    EnclosedLoad load{{DyadicList(*forces), Dyadic()}, {}, {}};
+    load.work.of_candidates.resize(certificate.motions);
+    load.acts.resize(certificate.candidates());
+    for (std::size_t row = 0; row < forces->size(); ++row) {
+      for (std::size_t k = 0; k < certificate.motions; ++k)
+        load.work.of_candidates[k] +=
+            mpq_class((*forces)[row]) *
+            mpq_class(certificate.motion_values[certificate.motions * row + k]);
+    }
+    for (const auto& block : certificate.blocks) {
+      const bool acts = std::ranges::any_of(block, [&](int candidate) {
+        const auto first = d * static_cast<std::size_t>(candidate);
+        return std::any_of(forces->begin() + static_cast<std::ptrdiff_t>(first),
+                           forces->begin() + static_cast<std::ptrdiff_t>(first + d),
+                           [](double force) { return force != 0; });
+      });
+      for (const int candidate : block) load.acts[static_cast<std::size_t>(candidate)] = acts;
+    }
+    loads.push_back(std::move(load));
+  }
+  return loads;
+}
+
 Proof::Proof(const Certificate& certificate)
     : Proof(certificate, recorded_stiffness(certificate),
-            recorded_motions(certificate.motion_values, certificate.motions)) {}
+            recorded_motions(certificate.motion_values, certificate.motions),
+            recorded_loads(certificate)) {}
 
 Proof::Proof(const Certificate& certificate, const EnclosedMatrix& stiffness,
              const ContactMotions& motions, const std::vector<EnclosedLoad>& loads)

@@ -81,6 +81,9 @@ class Proof {
   std::optional<Dyadic> minimum_;
 };
 
+/// The recorded loads, dead and reference, whose numbers are exact; none if the certificate has none.
+std::vector<EnclosedLoad> recorded_loads(const Certificate& certificate);
+
 /// K of the doubles of a certificate; with rigid-body modes, P'K P with the orthogonal projection P
 /// onto their complement.
 EnclosedMatrix recorded_stiffness(const Certificate& certificate);

@@ -140,9 +140,16 @@ EquivalentForces equivalent_forces(const LoadedProblem& loaded) {
     const PreciseMatrix missing = loaded.loads.motions.transpose() - modes.transpose() * all;
     all += springs * gram.partialPivLu().solve(missing);
   }
+  // The difference of equal numbers in 104 bits is zero up to a rounding.
+  constexpr double rounded = 0x1p-60;
+  const auto column = [&](Eigen::Index k) -> Eigen::VectorXd {
+    const Eigen::VectorXd own = all.col(k).cast<double>();
+    const double smallest = rounded * own.cwiseAbs().maxCoeff();
+    return (own.array().abs() > smallest).select(own, 0.0);
+  };
   Eigen::Index place = 0;
-  if (loaded.has_dead) forces.dead = all.col(place++).cast<double>();
-  if (loaded.has_reference) forces.reference = all.col(place).cast<double>();
+  if (loaded.has_dead) forces.dead = column(place++);
+  if (loaded.has_reference) forces.reference = column(place);
   return forces;
 }
 
