@@ -106,7 +106,16 @@ HoldingFriction BlockHold::friction() {
     if (factor > 0) minimum = std::max(minimum, min_friction / factor);
     maximum = std::max(maximum, factor);
   }
-  found.maximum = maximum == 0 ? 0 : std::min(parameters_.maximum, max_friction / maximum);
+  if (maximum == 0) {  // one tree is that of all coefficients
+    found.maximum = parameters_.maximum;
+    const std::array share{LoadShare{1, 0}};
+    const auto smooth = search(share, found.maximum, 0, 0);
+    found.status = smooth.status;
+    if (found.status == engine::Status::solved && !take_upper(found, smooth, 0))
+      take_lower(found, smooth, found.maximum);
+    return found;
+  }
+  found.maximum = std::min(parameters_.maximum, max_friction / maximum);
   if (!first_bracket(found)) return found;
   follow(found, minimum);
   if (ended_ && found.status == engine::Status::solved) found.status = analysis_.stop_reason();
