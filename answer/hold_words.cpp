@@ -225,7 +225,7 @@ std::string grip_sentence(const HoldingGrip& grip) {
   const std::string undecided =
       grip.standing == Standing::proved
           ? ""
-          : "It is not decided whether there is a state under the dead load alone. ";
+          : "That there is a state under the dead load alone is computed, not proved. ";
   const auto& minimum = grip.minimum.lower;
   const auto& maximum = grip.maximum.upper;
   const auto lower = fmt::format("{}{}", support::rounded_down(minimum ? minimum->value : 0),

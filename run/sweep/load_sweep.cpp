@@ -31,8 +31,9 @@ namespace {
 using limit::RootStatus;
 using nlohmann::ordered_json;
 
-const char* state_of(const limit::LimitWorstCase& worst) {
-  if (!worst.proved()) return "open";
+const char* state_of(const limit::LimitWorstCase& worst,
+                     const limit::GuaranteedInterval& interval) {
+  if (!worst.proved() || !is_proved(interval.standing())) return "open";
   return worst.status == RootStatus::not_carried ? "not-carried" : "solved";
 }
 
@@ -128,7 +129,7 @@ ordered_json LoadSweep::json(CommandRun& run) const {
   for (const auto& [alpha, worst, interval] : found_.points) {
     ordered_json point{{"alpha", alpha}};
     point.update(interval_json(interval));
-    point["state"] = state_of(worst);
+    point["state"] = state_of(worst, interval);
     points.push_back(std::move(point));
   }
   ordered_json result{{"points", std::move(points)}};
@@ -168,7 +169,7 @@ void LoadSweep::write_csv(std::ostream& out) const {
     for (const auto& bound : {worst.ends.lower, worst.ends.upper,
                               interval.has_factors() ? interval.minimum.upper : std::nullopt})
       add_cells(csv, bound);
-    csv.word(state_of(worst)).end_row();
+    csv.word(state_of(worst, interval)).end_row();
   }
   if (!curve()) return;
   const auto row = [&](double beta, double factor, const std::optional<double>& error) {
