@@ -203,6 +203,8 @@ GripRange Conclusions::grip() const {
       whole.states.reset();
     }
   }
+  const auto is_zero = [](const auto& work) { return sgn(work) == 0; };
+  if (!std::ranges::all_of(proof_.unbalanced_work()[0], is_zero)) whole.states.reset();
   return whole;
 }
 
@@ -259,10 +261,14 @@ HoldClaims Conclusions::of_loads() const {
   return claims;
 }
 
-bool contradict(const HoldClaims& claims) {
+// States may miss a total by its tolerance, while theorems are about the total itself.
+bool contradict(const HoldClaims& claims, bool with_total) {
+  if (with_total) return false;
   if (!common(claims.held, claims.none).empty()) return true;
   const auto& [below, above, states] = claims.grip;
-  return states && (states->low < below || (above && states->high > *above));
+  if (!states) return false;
+  const bool excluded = !common({{0, 0}}, claims.none).empty();
+  return excluded || states->low < below || (above && states->high > *above);
 }
 
 }  // namespace
@@ -272,7 +278,8 @@ Conclusion conclude(const Certificate& certificate, const Proof& proof, const Pr
   if (!certificate.loads) return conclusions.of_patterns();
   Conclusion conclusion{.loads = conclusions.of_loads()};
   // States with large displacements do not contradict theorems that leave them out.
-  if (!proved.except_large_displacements && contradict(*conclusion.loads))
+  if (!proved.except_large_displacements &&
+      contradict(*conclusion.loads, certificate.total.has_value()))
     conclusion.refusal =
         "a state and a theorem contradict each other although both are proved: the verification "
         "itself is wrong, and nothing is concluded";

@@ -64,9 +64,10 @@ class ExactHold::Record final : public HoldRecord {
     // The nodes, which are disjoint, cover all patterns if their shares of these add up to one.
     constexpr double whole = 1 - 1e-9;
     const auto all = engine::all_reduce(owner_.transport_, own);
-    proved_.theorems.push_back(all.found == 0 && all.closed > whole);
+    const bool proved = all.found == 0 && all.closed > whole;
+    proved_.theorems.push_back(proved);
     proved_.except_large_displacements = proved_.except_large_displacements || all.opened > 0;
-    if (further_) further_->tree(block, tree);
+    if (further_ && proved) further_->tree(block, tree);
   }
 
   void state(std::uint32_t block, const std::optional<LoadShare>& share,
@@ -76,9 +77,10 @@ class ExactHold::Record final : public HoldRecord {
                         .separated = pattern.separated,
                         .numbers = {numbers.begin(), numbers.end()}};
     if (share) state.share = verified(*share);
-    proved_.states.push_back(proof_ && !proof_->refusal(state));
+    const bool proved = proof_ && !proof_->refusal(state);
+    proved_.states.push_back(proved);
     certificate_.states.push_back(std::move(state));
-    if (further_) further_->state(block, share, pattern, numbers);
+    if (further_ && proved) further_->state(block, share, pattern, numbers);
   }
 
   [[nodiscard]] bool has_evidence() const override {
@@ -94,6 +96,11 @@ class ExactHold::Record final : public HoldRecord {
                         : claim_ == HoldClaim::upper ? contains(claims.held, 0, 0)
                                                      : !claims.held.empty() || !claims.none.empty();
     if (further_ && proved) further_->finish();
+    if (proved_.except_large_displacements) {  // only states count
+      claims.none.clear();
+      claims.grip.below = 0;
+      claims.grip.above.reset();
+    }
   }
 
  private:
@@ -169,8 +176,14 @@ void ExactHold::set_standings(HeldFactors& found) const {
   for (std::size_t k = 0; k < found.intervals.size(); ++k) {
     auto& each = found.intervals[k];
     each.standing = held(each.low, each.high);
-    each.low_out.standing = std::isinf(each.low) ? each.standing : none(below, each.low_out.value);
-    below = each.high_out.value;
+    // At a closed end without a bracket there is a state.
+    const double low_out = each.low_out.value == each.low ? std::nextafter(each.low, -unbounded_end)
+                                                          : each.low_out.value;
+    const double high_out = each.high_out.value == each.high
+                                ? std::nextafter(each.high, unbounded_end)
+                                : each.high_out.value;
+    each.low_out.standing = std::isinf(each.low) ? each.standing : none(below, low_out);
+    below = high_out;
     const bool last = k + 1 == found.intervals.size();
     each.high_out.standing =
         std::isinf(each.high)
