@@ -491,11 +491,12 @@ struct CertificateCheck {
     double sudden = 1;                ///< as in MemberLoss
   };
   /// An infinite bound is open.
+  static std::optional<Bound> proved_at(double value) {
+    if (std::isinf(value)) return {};
+    return Bound{value, Standing::proved};
+  }
   static Bracket proved_between(double low, double high) {
-    auto range = Bracket::proved(low, high);
-    if (std::isinf(low)) range.lower.reset();
-    if (std::isinf(high)) range.upper.reset();
-    return range;
+    return {proved_at(low), proved_at(high)};
   }
 
   std::uint64_t refusals = 0;

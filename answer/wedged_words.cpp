@@ -216,8 +216,7 @@ namespace {
 const char* counts_text(const FrictionSteps& found) {
   if (!is_proved(found.infeasible) || found.open_at_most > 0) return "";
   return " Exact arithmetic proves this, and the counts at the given coefficients and at both "
-         "bounds of "
-         "each step.";
+         "bounds of each step.";
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 """Base class of the Python tests of the command. Their last two arguments are KUSABI SOURCES: the
 command, and the folder of the sources.
 """
+import hashlib
 import json
 import pathlib
 import re
@@ -29,6 +30,21 @@ def with_ends(held):
     bounds = {"low": below["upper"], "low_out": below["lower"], "high": above["lower"], "high_out": above["upper"]}
     return {**held, **{end: bound and bound["value"] for end, bound in bounds.items()},
             **{f"{end}_proved": bool(bound) and bound["standing"] == "proved" for end, bound in bounds.items()}}
+
+
+def without_digest(certificate):
+    return certificate[:certificate.rindex("digest ")]
+
+
+def sealed(body):
+    """The certificate, or what was made of it, with its digest."""
+    return f"{body}digest {hashlib.sha1(body.encode()).hexdigest()}\n"
+
+
+def counted(body):
+    """The same with the right number of lines of evidence, if it has any."""
+    start = body.find("\nevidence\n")
+    return sealed(re.sub(r"(?m)^end \d+$", f"end {body[start:].count(chr(10)) - 3}", body) if start >= 0 else body)
 
 
 class KusabiCase(unittest.TestCase):

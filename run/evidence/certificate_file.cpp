@@ -11,22 +11,10 @@
 
 #include "problems/wedged/free_stiffness.hpp"
 #include "problems/wedged/problem_block.hpp"
+#include "support/one_line.hpp"
 #include "support/sha1.hpp"
 
 namespace kusabi::run {
-
-std::string one_line(const std::string& name) {
-  std::string text;
-  unsigned char before = 0;
-  for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool of_two = before == 0xc2 && byte >= 0x80 && byte < 0xa0;  // U+0080 to U+009F
-    const bool control = byte < ' ' || byte == 0x7f || of_two;
-    text += control ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
-    before = byte;
-  }
-  return text;
-}
 
 namespace {
 
@@ -66,7 +54,8 @@ std::string candidate_lines(const problems::WedgedProblem& problem,
                             std::span<const double> friction) {
   auto text =
       fmt::format("dimension {}\ncandidates {}\n", problem.dimension, problem.contact_names.size());
-  for (const auto& name : problem.contact_names) text += fmt::format("name {}\n", one_line(name));
+  for (const auto& name : problem.contact_names)
+    text += fmt::format("name {}\n", support::on_one_line(name));
   text += "friction";
   append(text, friction);
   const auto blocks = problems::blocks_of(problem);

@@ -32,9 +32,6 @@ std::string certificate_header(const problems::WedgedProblem& problem,
                                std::span<const wedged::ProvedBound> bounds = {},
                                const std::string& load_lines = no_load_lines);
 
-/// A name in one line, with control characters as \x0a.
-std::string one_line(const std::string& name);
-
 /// ' ' and a hexadecimal number, for each number.
 void append_numbers(std::string& text, std::span<const double> numbers);
 

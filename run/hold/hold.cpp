@@ -28,6 +28,7 @@
 #include "run/wedged/contact_problem.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "support/fingerprint.hpp"
+#include "support/one_line.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -77,7 +78,6 @@ class HoldCertificate final : public wedged::HoldRecord {
 
   void state(std::uint32_t block, const std::optional<wedged::LoadShare>& share,
              const wedged::LoadedPattern& pattern, std::span<const double> numbers) override {
-    has_states_ = true;
     if (!session_.is_first()) return;
     auto line = fmt::format("{} {}", share ? "held" : "wedged", block + 1);
     if (share) append_numbers(line, std::array{share->dead, share->reference});
@@ -85,8 +85,6 @@ class HoldCertificate final : public wedged::HoldRecord {
     append_numbers(line, numbers);
     file_.add(std::string_view(line += '\n'));
   }
-
-  [[nodiscard]] bool has_evidence() const override { return has_states_ || !theorems_.empty(); }
 
   void finish() override {
     file_.close();
@@ -98,7 +96,8 @@ class HoldCertificate final : public wedged::HoldRecord {
  private:
   [[nodiscard]] std::string load_lines() const {
     std::string text = "loads 2\ncase";
-    if (!certificates_.load_case.empty()) text += ' ' + one_line(certificates_.load_case);
+    if (!certificates_.load_case.empty())
+      text += ' ' + support::on_one_line(certificates_.load_case);
     const auto forces = wedged::equivalent_forces(loaded_);
     const auto add = [&](const char* name, const auto& numbers) {
       text += fmt::format("\n{}", name);
@@ -119,7 +118,6 @@ class HoldCertificate final : public wedged::HoldRecord {
   std::vector<double> friction_;
   CertificateFile file_;
   std::vector<std::string> theorems_;
-  bool has_states_ = false;
 };
 
 // Empty if there is no name. Session and problem must outlive it.

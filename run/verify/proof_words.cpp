@@ -14,6 +14,7 @@
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/values.hpp"
 #include "support/input_error.hpp"
+#include "support/one_line.hpp"
 #include "verify/wedged/block_proof.hpp"
 #include "verify/wedged/lines.hpp"
 
@@ -34,7 +35,7 @@ std::optional<problems::Structure> in_case_of_certificate(const problems::Struct
   const auto cases = problems::load_cases(structure);
   if (load_case.empty() && cases.empty()) return structure;
   for (const auto& each : cases) {
-    if (verify::on_one_line(each) == load_case) return problems::in_load_case(structure, each);
+    if (support::on_one_line(each) == load_case) return problems::in_load_case(structure, each);
   }
   return {};
 }
@@ -56,7 +57,7 @@ std::string cases_left_text(const std::vector<std::string>& covered,
                             const problems::Structure& structure) {
   std::vector<std::string> left;
   for (const auto& name : problems::load_cases(structure)) {
-    if (std::ranges::find(covered, verify::on_one_line(name)) == covered.end())
+    if (std::ranges::find(covered, support::on_one_line(name)) == covered.end())
       left.push_back(support::in_quotes(name));
   }
   if (left.empty()) return {};

@@ -277,8 +277,7 @@ std::vector<support::Bracket> ranges_of(const std::vector<verify::FactorRange>& 
 
 // True if a load acts on a body with candidates, be it only on motions that displace none of them.
 bool acts(const verify::EnclosedLoad& load) {
-  return std::ranges::find(load.acts, true) != load.acts.end() ||
-         std::ranges::any_of(load.work.others, [](const auto& work) { return sgn(work) != 0; });
+  return std::ranges::find(load.acts, true) != load.acts.end() || load.work.is_unbalanced();
 }
 
 answer::CertificateCheck::Held held_of(const verify::Certificate& certificate,
@@ -292,7 +291,7 @@ answer::CertificateCheck::Held held_of(const verify::Certificate& certificate,
                                       .none = ranges_of(claims.none)};
   if (except_large) held.displacement_ratio = verify::largest_displacement_ratio;
   if (!claims.restricts_a_sum) return held;
-  const auto proved = [](double value) { return support::Bound{value, support::Standing::proved}; };
+  const auto proved = answer::CertificateCheck::proved_at;
   auto& [sum, sums_of_states] = held.grip.emplace();
   if (claims.grip.below > 0) sum.lower = proved(claims.grip.below);
   if (claims.grip.above) sum.upper = proved(*claims.grip.above);
@@ -309,19 +308,20 @@ verify::ConsistentStructure recorded_problem(const verify::Certificate& certific
           .friction = std::ranges::max(certificate.friction)};
 }
 
-// The structure, in the load case of the certificate.
-std::variant<verify::ConsistentStructure, std::string> consistent_with(
-    const verify::Certificate& certificate, const problems::CheckedStructure& structure,
-    const VerifyOptions& options) {
+// The problem of the proof: that of the certificate, or the structure in its load case.
+std::variant<verify::ConsistentStructure, std::string> problem_of(
+    const verify::Certificate& certificate,
+    const std::optional<problems::CheckedStructure>& structure, const VerifyOptions& options) {
+  if (!structure) return recorded_problem(certificate);
   std::variant<verify::ConsistentStructure, std::string> found;
   if (certificate.loads) {
     const auto& load_case = certificate.loads->load_case;
-    const auto loaded = in_case_of_certificate(structure, load_case);
+    const auto loaded = in_case_of_certificate(*structure, load_case);
     if (!loaded) return no_such_case(options, load_case);
     problems::check_certain(*loaded);
     found = verify::consistency(certificate, evidence::verified_under_load(*loaded));
   } else {
-    found = verify::consistency(certificate, evidence::verified_structure(structure));
+    found = verify::consistency(certificate, evidence::verified_structure(*structure));
   }
   if (auto* why = std::get_if<std::string>(&found))
     return fmt::format("{}: {}", options.problem, *why);
@@ -336,13 +336,10 @@ VerifyFindings verify_contact(CommandRun& run, const VerifyOptions& options,
   // Every rank reads the certificate and proves the parts that all nodes depend on.
   const auto certificate =
       read_certificate_text([&] { return verify::read_certificate(text, options.certificate); });
-  auto problem = recorded_problem(certificate);
-  if (structure) {
-    auto found = consistent_with(certificate, *structure, options);
-    if (const auto* why = std::get_if<std::string>(&found))
-      return refusal_of_certificate(options, *why);
-    problem = std::move(std::get<verify::ConsistentStructure>(found));
-  }
+  const auto found = problem_of(certificate, structure, options);
+  if (const auto* why = std::get_if<std::string>(&found))
+    return refusal_of_certificate(options, *why);
+  const auto& problem = std::get<verify::ConsistentStructure>(found);
   verify::Proof proof(certificate, problem.stiffness, problem.motions, problem.loads);
   if (!proof.min_eigenvalue())
     return refusal_of_certificate(options, indefinite_stiffness(certificate.motions));

@@ -31,12 +31,12 @@
 #include "run/verify/proof_words.hpp"
 #include "run/verify/verify.hpp"
 #include "support/input_error.hpp"
+#include "support/one_line.hpp"
 #include "verify/limit/limit_certificate.hpp"
 #include "verify/limit/limit_consistency.hpp"
 #include "verify/limit/limit_proof.hpp"
 #include "verify/limit/sign_cover.hpp"
 #include "verify/wedged/certificate.hpp"
-#include "verify/wedged/lines.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -89,7 +89,7 @@ std::vector<std::string> cases_for(const LimitStatement& statement,
   if (names.empty()) names.emplace_back();
   if (!statement.load_case.empty()) {
     std::erase_if(
-        names, [&](const auto& name) { return verify::on_one_line(name) != statement.load_case; });
+        names, [&](const auto& name) { return support::on_one_line(name) != statement.load_case; });
   }
   return names;
 }
@@ -338,12 +338,6 @@ ProvedFactors factors_of(const std::vector<CheckedStatement>& statements) {
   return all;
 }
 
-// Infinite: none is proved.
-std::optional<support::Bound> bound(double proved) {
-  if (std::isinf(proved)) return {};
-  return support::Bound{proved, support::Standing::proved};
-}
-
 // Sentence about all cases together.
 answer::CertificateCheck::Factor factor_of(const std::vector<CheckedStatement>& statements) {
   const auto all = factors_of(statements);
@@ -353,9 +347,10 @@ answer::CertificateCheck::Factor factor_of(const std::vector<CheckedStatement>& 
                                           .cases = cases.size(),
                                           .at_none = all.at_none};
   if (all.at_none) return factor;
-  factor.largest = {bound(all.largest_lower), bound(all.largest_upper)};
+  using Check = answer::CertificateCheck;
+  factor.largest = Check::proved_between(all.largest_lower, all.largest_upper);
   if (all.of_least || all.min_lower > all.largest_upper)
-    factor.minimum = {bound(all.min_lower), bound(all.min_upper)};
+    factor.minimum = Check::proved_between(all.min_lower, all.min_upper);
   return factor;
 }
 
@@ -378,8 +373,9 @@ answer::CertificateCheck::Factor factor_of_struts(
                                [&](const auto& each) { return is_counterpart(each, full); });
   });
   const auto carried = factors_of(after_buckling);
-  factor.largest.lower = of_all ? bound(carried.largest_lower) : std::nullopt;
-  factor.minimum.upper = of_all && carried.of_least ? bound(carried.min_upper) : std::nullopt;
+  const auto known = answer::CertificateCheck::proved_at;
+  factor.largest.lower = of_all ? known(carried.largest_lower) : std::nullopt;
+  factor.minimum.upper = of_all && carried.of_least ? known(carried.min_upper) : std::nullopt;
   return factor;
 }
 
@@ -400,7 +396,7 @@ std::string cases_at_residual_text(std::span<const CheckedStatement> at_strength
 std::vector<std::string> covered_cases(const std::vector<CheckedStatement>& statements) {
   std::vector<std::string> covered;
   covered.reserve(statements.size());
-  for (const auto& each : statements) covered.push_back(verify::on_one_line(each.load_case));
+  for (const auto& each : statements) covered.push_back(support::on_one_line(each.load_case));
   return covered;
 }
 

@@ -19,11 +19,11 @@
 #include "run/verify/proof_words.hpp"
 #include "run/verify/verify.hpp"
 #include "support/input_error.hpp"
+#include "support/one_line.hpp"
 #include "verify/limit/limit_certificate.hpp"
 #include "verify/limit/loss_certificate.hpp"
 #include "verify/limit/loss_claim.hpp"
 #include "verify/wedged/certificate.hpp"
-#include "verify/wedged/lines.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -62,7 +62,7 @@ void name_case(const problems::CheckedStructure& structure, LossStatement& state
     if (statement.residual && !problems::has_struts(structure)) return;
     auto truss = truss_of(statement, of_case);
     if (verify::LossClaim(statement, std::move(truss)).difference()) continue;
-    statement.load_case = verify::on_one_line(name);
+    statement.load_case = support::on_one_line(name);
     return;
   }
   if (fault && !any) throw support::InputError(*fault);

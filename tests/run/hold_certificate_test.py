@@ -3,7 +3,6 @@ nothing wrong.
 
     python3 hold_certificate_test.py KUSABI SOURCES
 """
-import hashlib
 import json
 import math
 import pathlib
@@ -12,7 +11,8 @@ import re
 import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
-from kusabi_case import EXAMPLES, SOURCES, KusabiCase, main, moved, with_ends  # noqa: E402: beside the folder of this file
+from kusabi_case import (  # noqa: E402: beside the folder of this file
+    EXAMPLES, SOURCES, KusabiCase, counted, main, moved, sealed, with_ends, without_digest)
 from hold_test import BELOW_CEILING, BOX, LOAD  # noqa: E402: beside this file
 
 LADDER = EXAMPLES / "ladder.toml"
@@ -22,16 +22,6 @@ SLOPE = 4 / 3
 LEAST = -0.625
 MIDDLE = (0.16 + 0.4 * SLOPE) / 1.16
 MOST = (MIDDLE - 0.5) / (0.8 - MIDDLE)
-
-
-def sealed(body):
-    return f"{body}digest {hashlib.sha1(body.encode()).hexdigest()}\n"
-
-
-def counted(body):
-    """The certificate with the right number of lines of evidence."""
-    lines = body[body.index("\nevidence\n"):].count("\n") - 3
-    return sealed(re.sub(r"(?m)^end \d+$", f"end {lines}", body))
 
 
 def ranges(text):
@@ -136,14 +126,14 @@ class HoldCertificate(KusabiCase):
         self.assertIn('not part of the certificate: load case "moment"', said)
         self.assertIn('PROVED: at friction coefficient 0.5 in load case "side"', said)
         other = self.folder / "other.cert"
-        other.write_text(sealed(text[:text.rindex("digest ")].replace("side", "lift")))
+        other.write_text(sealed(without_digest(text).replace("side", "lift")))
         run, said = self.verified(other, file)
         self.assertEqual(run.returncode, 1, said)
         self.assertIn('no load case "lift"', " ".join((run.stdout + run.stderr).split()))
 
     def test_forgeries_prove_nothing_wrong(self):
         text = self.written(LADDER, "--mu", "0.4")
-        body = text[:text.rindex("digest ")]
+        body = without_digest(text)
         forged = self.folder / "forged"
         for pattern, change in (
                 (r"(none 1 2 (?:\S+ \S+ )*?0x1p\+0 )(\S+)", lambda m: m[1] + "0x0p+0"),  # a larger range
@@ -179,7 +169,7 @@ class HoldCertificate(KusabiCase):
         place.write_text(BOX + LOAD.format('"bl", "br"', [0.15, -0.5]))
         text = self.written(place, "--mu", "0.29")
         self.assertIn("at friction coefficient 0.29, it cannot hold the dead load", self.proved(self.folder / "cert", place)[2])
-        body = text[:text.rindex("digest ")]
+        body = without_digest(text)
         forged = self.folder / "forged"
         for pattern, new in ((r"(?m)^friction .*", "friction" + 6 * f" {(0.31).hex()}"),  # it is held
                              (r"(?m)^(infeasible \S+ \S+ \S+(?: \S+){6}) .*", r"\1" + 6 * " 0x0p+0"),  # no motion
@@ -237,8 +227,7 @@ class HoldCertificate(KusabiCase):
             self.assertAlmostEqual(found, grip[f"{end}_out"], delta=1e-11)
             self.assertAlmostEqual(state, grip[end], delta=1e-8)
         # Without the tree that excludes wedged configurations of the peg there is no upper bound.
-        body = (self.folder / "cert").read_text()
-        body = body[:body.rindex("digest ")]
+        body = without_digest((self.folder / "cert").read_text())
         theorems = re.findall(r"(?m)^none .*$", body)
         (number,) = [k for k, each in enumerate(theorems, 1) if re.fullmatch(r"none \d+ 0", each)]
         other = re.sub(rf"(?m)^infeasible {number} .*\n", "", body)
@@ -341,7 +330,7 @@ force = [-0.01, 0]
         self.written(place, "--mu", 0.4)
         certificate = self.folder / "cert"
         body = certificate.read_text()
-        certificate.write_text(sealed(body[:body.index("digest")].replace("\ntotal\n", "\ntotal 0x1p-3\n")))
+        certificate.write_text(sealed(without_digest(body).replace("\ntotal\n", "\ntotal 0x1p-3\n")))
         self.assertIn("expected no total, since it is that of one block", self.refused("verify", certificate, "--problem", place))
 
     def test_a_total_without_a_state_proves_nothing(self):
@@ -364,8 +353,7 @@ force = [-0.01, 0]
         # Its own reactions would add to those of any other state of its pattern: with a sum of sqrt 2 the tip holds the
         # factors from -0.5 to 0.5 (tests/cases/two_bars_at_a_total.toml), not those beyond.
         case = SOURCES / "tests" / "cases" / "two_bars_at_a_total.toml"
-        body = self.written(case, "--mu", 1, "--total", math.sqrt(2))
-        body = body[:body.rindex("digest ")]
+        body = without_digest(self.written(case, "--mu", 1, "--total", math.sqrt(2)))
         alone = "held 1 0x0p+0 0x1p+0 1 0 0x0p+0\n"
         end = body.rindex("end ")
         forged = self.folder / "forged"

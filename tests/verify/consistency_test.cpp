@@ -192,10 +192,5 @@ normal = [0.99, -0.1]
   }
 }
 
-TEST(Consistency, NamesAreComparedAsWrittenInTheFile) {
-  EXPECT_EQ(on_one_line("a b"), "a b");
-  EXPECT_EQ(on_one_line("a\nb\x7f"), "a\\x0ab\\x7f");
-}
-
 }  // namespace
 }  // namespace kusabi::verify

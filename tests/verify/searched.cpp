@@ -12,6 +12,7 @@
 #include "nodes/wedged/tree/sign_pattern_tree.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/evidence/certificate_file.hpp"
+#include "support/one_line.hpp"
 #include "support/sha1.hpp"
 #include "verify/structure/condensation.hpp"
 #include "verify/wedged/certificate.hpp"
@@ -127,7 +128,7 @@ Draft searched(const problems::WedgedProblem& problem, double friction) {
                   fmt::format("dimension {}\n", problem.dimension),
                   fmt::format("candidates {}\n", m)};
   for (const auto& name : problem.contact_names) {
-    draft.header.push_back(fmt::format("name {}\n", on_one_line(name)));
+    draft.header.push_back(fmt::format("name {}\n", support::on_one_line(name)));
   }
   draft.header.push_back("friction" + listed(everywhere) + "\n");
   draft.header.emplace_back("blocks 1\n");

@@ -6,9 +6,9 @@
 #include <functional>
 #include <utility>
 
+#include "support/one_line.hpp"
 #include "support/sha1.hpp"
 #include "verify/limit/limit_certificate.hpp"
-#include "verify/wedged/lines.hpp"
 
 namespace kusabi::verify {
 namespace {
@@ -63,7 +63,7 @@ void put_truss(std::string& text, const LimitCertificate& truss) {
 void put_loads(std::string& text, const LimitStatement& statement) {
   const auto& loads = statement.evidence;
   text += "\ncase";
-  if (!statement.load_case.empty()) text += ' ' + on_one_line(statement.load_case);
+  if (!statement.load_case.empty()) text += ' ' + support::on_one_line(statement.load_case);
   text += "\ndead";
   put(text, loads.dead);
   text += "\nreference";
@@ -83,7 +83,7 @@ void put_loads(std::string& text, const LimitStatement& statement) {
     if (loads.names[j].empty()) continue;
     text += "\nname";
     put(text, j);
-    text += ' ' + on_one_line(loads.names[j]);
+    text += ' ' + support::on_one_line(loads.names[j]);
   }
   text += "\nalpha";
   put_half_widths(text, loads.alpha);

@@ -6,9 +6,9 @@
 #include <map>
 #include <optional>
 
+#include "support/one_line.hpp"
 #include "verify/limit/exact_truss.hpp"
 #include "verify/structure/assembly.hpp"
-#include "verify/wedged/lines.hpp"
 
 namespace kusabi::verify {
 namespace {
@@ -151,7 +151,7 @@ std::variant<std::vector<double>, std::string> half_widths_of(const LimitCertifi
   for (const bool said : {true, false}) {
     for (std::size_t j = 0; j < columns.size(); ++j) {
       if (in_file(j).has_value() != said) continue;
-      const auto name = on_one_line(load_name(structure, j));
+      const auto name = support::on_one_line(load_name(structure, j));
       if (const auto taken = take(recorded, columns[j], name, in_file(j))) {
         half_widths[j] = *taken;
         continue;

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "support/one_line.hpp"
 #include "support/sha1.hpp"
 #include "verify/limit/limit_certificate.hpp"
 #include "verify/limit/loss_certificate.hpp"
-#include "verify/wedged/lines.hpp"
 
 namespace kusabi::verify {
 namespace {
@@ -78,7 +78,8 @@ void put_loads(std::string& text, const Structure& truss) {
     LineWriter line(text, "column");
     line << *truss.half_widths[j] << uncertain[j].size();
     for (const auto& each : uncertain[j]) line << each.node << each.axis << each.weight;
-    if (!truss.load_names[j].empty()) line << std::string_view(on_one_line(truss.load_names[j]));
+    if (!truss.load_names[j].empty())
+      line << std::string_view(support::on_one_line(truss.load_names[j]));
   }
 }
 
@@ -116,7 +117,7 @@ std::string loss_certificate_text(std::span<const LossStatement> statements) {
       for (const auto& bar : statement.truss.bars) strengths << bar.compression;
     } else {
       text += "\ncase";
-      if (!statement.load_case.empty()) text += ' ' + on_one_line(statement.load_case);
+      if (!statement.load_case.empty()) text += ' ' + support::on_one_line(statement.load_case);
       put_loads(text, statement.truss);
     }
     put_claim(text, statement);

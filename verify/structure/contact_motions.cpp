@@ -221,6 +221,10 @@ UnconstrainedModes unconstrained_modes(const Structure& structure) {
   return result;
 }
 
+bool LoadWork::is_unbalanced() const {
+  return std::ranges::any_of(others, [](const auto& work) { return sgn(work) != 0; });
+}
+
 std::vector<LoadWork> works_of(const Structure& structure, const ContactMotions& seen,
                                const std::vector<std::vector<Force>>& loads) {
   const UnconstrainedBodies bodies(structure);

@@ -55,6 +55,9 @@ struct LoadWork {
   Rationals others;
   /// The same with the magnitudes of forces and displacements.
   std::vector<double> sizes_of_others;
+
+  /// True if it is not zero on some mode that displaces no candidate: no reaction balances it.
+  [[nodiscard]] bool is_unbalanced() const;
 };
 
 /// Exact work of loads on all modes. @param seen those of unconstrained_modes()

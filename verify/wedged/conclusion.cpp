@@ -22,8 +22,6 @@ class Conclusions {
 
  private:
   [[nodiscard]] bool is_proved_empty(std::size_t theorem) const;
-  [[nodiscard]] std::vector<FactorRange> out_of_equilibrium() const;
-  [[nodiscard]] bool needs_equilibrium() const;
   [[nodiscard]] bool has_total(const State& state) const;
   [[nodiscard]] std::optional<FactorRange> excluded_by(const Theorem& theorem) const;
   [[nodiscard]] std::vector<FactorRange> held_by(std::size_t block) const;
@@ -203,46 +201,14 @@ GripRange Conclusions::grip() const {
       whole.states.reset();
     }
   }
-  const auto is_zero = [](const auto& work) { return sgn(work) == 0; };
-  if (!std::ranges::all_of(proof_.unbalanced_work()[0], is_zero)) whole.states.reset();
+  if (proof_.work()[0].is_unbalanced()) whole.states.reset();
   return whole;
-}
-
-// Factors at which the loads do work on a motion that displaces no candidate. The work is D + R
-// lambda; D and R may be the rounding of positions and directions in the file, up to a share of the
-// magnitudes of which they consist.
-std::vector<FactorRange> Conclusions::out_of_equilibrium() const {
-  constexpr double rounded = 0x1p-30;
-  const auto& work = proof_.unbalanced_work();
-  const auto& sizes = proof_.size_of_unbalanced_work();
-  std::vector<FactorRange> all;
-  for (std::size_t mode = 0; mode < work[0].size(); ++mode) {
-    const double dead_rounding = sgn(work[0][mode]) == 0 ? 0 : rounded * sizes[0][mode];
-    if (sgn(work[1][mode]) == 0) {
-      if (std::abs(work[0][mode].get_d()) > dead_rounding) all.push_back({});
-      continue;
-    }
-    if (std::abs(work[1][mode].get_d()) <= rounded * sizes[1][mode]) continue;
-    const mpq_class balance = -work[0][mode] / work[1][mode];
-    const mpq_class width = mpq_class(dead_rounding) / abs(work[1][mode]);
-    const double low = std::nextafter(rounded_down(balance - width), -unbounded_end);
-    const double high = std::nextafter(rounded_up(balance + width), unbounded_end);
-    all.push_back({-unbounded_end, low});
-    all.push_back({high, unbounded_end});
-  }
-  return joined(std::move(all));
-}
-
-// The loads are in equilibrium on motions that displace no candidate at one factor at most.
-bool Conclusions::needs_equilibrium() const {
-  return std::ranges::any_of(proof_.unbalanced_work(), [](const auto& works) {
-    return std::ranges::any_of(works, [](const auto& work) { return sgn(work) != 0; });
-  });
 }
 
 // Factors are held if every block holds them, and excluded if one block excludes them.
 HoldClaims Conclusions::of_loads() const {
-  HoldClaims claims{.none = out_of_equilibrium()};
+  const auto& work = proof_.work();
+  HoldClaims claims{.none = out_of_equilibrium(work[0], work[1])};
   if (claims.none == std::vector{FactorRange{}}) return claims;
   claims.held = {FactorRange{}};
   claims.grip = grip();
@@ -252,7 +218,7 @@ HoldClaims Conclusions::of_loads() const {
     if (certificate_.total || (actions.unconstrained && (actions.dead || actions.reference)))
       claims.held = common(claims.held, held_by(block));
   }
-  if (needs_equilibrium()) claims.held.clear();
+  if (std::ranges::any_of(work, &LoadWork::is_unbalanced)) claims.held.clear();
   for (std::size_t t = 0; t < certificate_.theorems.size(); ++t) {
     if (!is_proved_empty(t)) continue;
     if (const auto range = excluded_by(certificate_.theorems[t])) claims.none.push_back(*range);
@@ -267,8 +233,7 @@ bool contradict(const HoldClaims& claims, bool with_total) {
   if (!common(claims.held, claims.none).empty()) return true;
   const auto& [below, above, states] = claims.grip;
   if (!states) return false;
-  const bool excluded = !common({{0, 0}}, claims.none).empty();
-  return excluded || states->low < below || (above && states->high > *above);
+  return contains(claims.none, 0, 0) || states->low < below || (above && states->high > *above);
 }
 
 }  // namespace
@@ -284,6 +249,35 @@ Conclusion conclude(const Certificate& certificate, const Proof& proof, const Pr
         "a state and a theorem contradict each other although both are proved: the verification "
         "itself is wrong, and nothing is concluded";
   return conclusion;
+}
+
+// The work on a mode is D + R lambda. D and R may be the rounding of positions and directions in the
+// file, up to a share of the magnitudes of which they consist.
+std::vector<FactorRange> out_of_equilibrium(const LoadWork& dead, const LoadWork& reference) {
+  constexpr double rounded = 0x1p-30;
+  std::vector<FactorRange> all;
+  for (std::size_t mode = 0; mode < dead.others.size(); ++mode) {
+    const auto& d = dead.others[mode];
+    const auto& r = reference.others[mode];
+    const double dead_rounding = sgn(d) == 0 ? 0 : rounded * dead.sizes_of_others[mode];
+    if (sgn(r) == 0) {
+      if (std::abs(d.get_d()) > dead_rounding) all.push_back({});
+      continue;
+    }
+    if (std::abs(r.get_d()) <= rounded * reference.sizes_of_others[mode]) continue;
+    const mpq_class balance = -d / r;
+    const mpq_class width = mpq_class(dead_rounding) / abs(r);
+    const double low = std::nextafter(rounded_down(balance - width), -unbounded_end);
+    const double high = std::nextafter(rounded_up(balance + width), unbounded_end);
+    all.push_back({-unbounded_end, low});
+    all.push_back({high, unbounded_end});
+  }
+  return joined(std::move(all));
+}
+
+bool contains(const std::vector<FactorRange>& ranges, double low, double high) {
+  return std::ranges::any_of(
+      ranges, [&](const auto& range) { return range.low <= low && high <= range.high; });
 }
 
 std::vector<FactorRange> common(const std::vector<FactorRange>& one,

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "verify/structure/contact_motions.hpp"
 #include "verify/wedged/certificate.hpp"
 #include "verify/wedged/proof.hpp"
 
@@ -59,6 +60,13 @@ struct Conclusion {
 };
 
 Conclusion conclude(const Certificate& certificate, const Proof& proof, const Proved& proved);
+
+/// Factors at which the loads do work on a motion that displaces no candidate, whatever the
+/// reactions. They are in equilibrium at one other factor at most if one of them is_unbalanced().
+std::vector<FactorRange> out_of_equilibrium(const LoadWork& dead, const LoadWork& reference);
+
+/// True if one of the ranges contains all factors from `low` to `high`.
+bool contains(const std::vector<FactorRange>& ranges, double low, double high);
 
 /// The common parts of two lists of ranges in ascending order.
 std::vector<FactorRange> common(const std::vector<FactorRange>& one,

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "support/one_line.hpp"
 #include "verify/arithmetic/least_squares.hpp"
 #include "verify/structure/assembly.hpp"
 #include "verify/structure/enclosed_problem.hpp"
@@ -35,7 +36,7 @@ std::optional<std::string> other_candidates(const Certificate& certificate,
            " contact candidates, the structure has " + std::to_string(structure.contact.size());
   }
   for (std::size_t i = 0; i < structure.contact.size(); ++i) {
-    const auto name = on_one_line(name_of(structure, i));
+    const auto name = support::on_one_line(name_of(structure, i));
     if (name != certificate.names[i]) {
       return "contact candidate " + std::to_string(i + 1) + " of the certificate is " +
              certificate.names[i] + ", that of the structure " + name;
@@ -190,8 +191,7 @@ std::optional<std::string> other_forces(const std::vector<double>& recorded,
                                         const EnclosedLoad& load, const char* name,
                                         const Certificate& certificate) {
   // A load that no reaction can balance has no equivalent forces at the candidates.
-  const auto& others = load.work.others;
-  if (std::ranges::any_of(others, [](const auto& work) { return sgn(work) != 0; })) return {};
+  if (load.work.is_unbalanced()) return {};
   double largest = 0;
   for (std::size_t i = 0; i < recorded.size(); ++i)
     largest = std::max(largest, std::abs(load.condensed.forces[i].nearest()));

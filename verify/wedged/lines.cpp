@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "support/one_line.hpp"
 #include "support/sha1.hpp"
 #include "verify/wedged/certificate.hpp"
 
@@ -45,13 +46,6 @@ std::optional<double> number_in(std::string_view text) {
   return negative ? -value : value;
 }
 
-// True for a control character of ASCII, and for the second byte of one of U+0080 to U+009F.
-bool is_control(std::string_view text, std::size_t i) {
-  const auto byte = static_cast<unsigned char>(text[i]);
-  const bool of_two = i > 0 && text[i - 1] == '\xc2' && byte >= 0x80 && byte < 0xa0;
-  return byte < ' ' || byte == 0x7f || of_two;
-}
-
 }  // namespace
 
 std::string shown(std::string_view text) {
@@ -62,23 +56,9 @@ std::string shown(std::string_view text) {
   return part;
 }
 
-std::string on_one_line(std::string_view name) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(name[i]);
-    if (is_control(name, i)) {
-      text += {'\\', 'x', digits[byte / 16], digits[byte % 16]};
-    } else {
-      text += name[i];
-    }
-  }
-  return text;
-}
-
 std::string_view Lines::name() const {
   for (std::size_t i = 0; i < words_.size(); ++i) {
-    if (is_control(words_, i)) refuse("a name without control characters");
+    if (support::is_control(words_, i)) refuse("a name without control characters");
   }
   return words_;
 }

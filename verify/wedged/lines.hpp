@@ -16,9 +16,6 @@ namespace kusabi::verify {
 /// The beginning of a faulty line for messages, without control characters.
 std::string shown(std::string_view text);
 
-/// A name on one line, as in the file: control characters as \x0a, also those of two bytes in UTF-8.
-std::string on_one_line(std::string_view name);
-
 /// The lines of a text and their words.
 class Lines {
  public:

@@ -126,10 +126,7 @@ Proof::Proof(const Certificate& certificate)
 Proof::Proof(const Certificate& certificate, const EnclosedMatrix& stiffness,
              const ContactMotions& motions, const std::vector<EnclosedLoad>& loads)
     : certificate_(certificate) {
-  for (const auto& load : loads) {
-    unbalanced_work_.push_back(load.work.others);
-    sizes_.push_back(load.work.sizes_of_others);
-  }
+  for (const auto& load : loads) work_.push_back(load.work);
   for (const auto& block : certificate.blocks) {
     auto own_part = contact_block(certificate, stiffness, motions, block, loads);
     if (own_part.motions.count != certificate.motions_of(block).size()) {
@@ -189,9 +186,11 @@ ProofResult Proof::proof_result(const Node& node) const {
 }
 
 bool Proof::is_unbalanced(LoadShare share) const {
-  for (std::size_t mode = 0; mode < unbalanced_work_[0].size(); ++mode) {
-    const mpq_class work = mpq_class(share.dead) * unbalanced_work_[0][mode] +
-                           mpq_class(share.reference) * unbalanced_work_[1][mode];
+  const auto& dead = work_[0].others;
+  const auto& reference = work_[1].others;
+  for (std::size_t mode = 0; mode < dead.size(); ++mode) {
+    const mpq_class work =
+        mpq_class(share.dead) * dead[mode] + mpq_class(share.reference) * reference[mode];
     if (sgn(work) != 0) return true;
   }
   return false;

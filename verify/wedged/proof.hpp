@@ -62,13 +62,8 @@ class Proof {
   /// By block. @pre loads
   [[nodiscard]] const std::vector<Actions>& actions() const { return actions_; }
 
-  /// Work of the dead and of the reference load on each mode that displaces no candidate; no
-  /// reaction balances it. @pre loads
-  [[nodiscard]] const std::vector<Rationals>& unbalanced_work() const { return unbalanced_work_; }
-  /// The same, from the magnitudes of its terms. @pre loads
-  [[nodiscard]] const std::vector<std::vector<double>>& size_of_unbalanced_work() const {
-    return sizes_;
-  }
+  /// Work of the dead and of the reference load. @pre loads
+  [[nodiscard]] const std::vector<LoadWork>& work() const { return work_; }
 
  private:
   [[nodiscard]] bool is_unbalanced(LoadShare share) const;
@@ -76,8 +71,7 @@ class Proof {
   const Certificate& certificate_;
   std::vector<BlockProof> blocks_;
   std::vector<Actions> actions_;
-  std::vector<Rationals> unbalanced_work_;
-  std::vector<std::vector<double>> sizes_;
+  std::vector<LoadWork> work_;
   std::optional<Dyadic> minimum_;
 };
 

@@ -17,6 +17,7 @@
 namespace kusabi::wedged {
 
 using support::Standing;
+using verify::contains;
 
 namespace {
 
@@ -28,11 +29,6 @@ verify::GripBound verified(const GripRestriction& grip) {
   using Bound = verify::GripBound::Kind;
   constexpr std::array kinds{Bound::above, Bound::below, Bound::equal};
   return {kinds.at(static_cast<std::size_t>(grip.kind)), grip.total};
-}
-
-bool contains(const std::vector<verify::FactorRange>& ranges, double low, double high) {
-  return std::ranges::any_of(
-      ranges, [&](const auto& range) { return range.low <= low && high <= range.high; });
 }
 
 }  // namespace
@@ -83,10 +79,6 @@ class ExactHold::Record final : public HoldRecord {
     if (further_ && proved) further_->state(block, share, pattern, numbers);
   }
 
-  [[nodiscard]] bool has_evidence() const override {
-    return !certificate_.theorems.empty() || !certificate_.states.empty();
-  }
-
   void finish() override {
     if (!proof_) return;
     auto conclusion = verify::conclude(certificate_, *proof_, proved_);
@@ -134,19 +126,17 @@ ExactHold::ExactHold(engine::Transport& transport, const LoadedProblem& loaded,
   if (auto* found = std::get_if<verify::LoadedEnclosure>(&enclosed)) enclosure_ = std::move(*found);
 }
 
-void ExactHold::note_statics(HoldParameters& parameters) {
+void ExactHold::note_statics(HoldParameters& parameters) const {
   if (!can_prove()) return;
-  record(HoldClaim::factors, 0, nullptr)->finish();
-  const auto* const known = claims(HoldClaim::factors);
-  if (known == nullptr) return;
-  parameters.dead_out_of_equilibrium = contains(known->none, 0, 0);
-  parameters.never_in_equilibrium = contains(known->none, -unbounded_end, unbounded_end);
+  const auto& loads = enclosure_->loads;
+  const auto none = verify::out_of_equilibrium(loads[0].work, loads[1].work);
+  parameters.dead_out_of_equilibrium = contains(none, 0, 0);
+  parameters.never_in_equilibrium = contains(none, -unbounded_end, unbounded_end);
 }
 
 std::unique_ptr<HoldRecord> ExactHold::record(HoldClaim claim, double mu,
                                               std::unique_ptr<HoldRecord> further) {
   proved_.erase(claim);
-  if (!can_prove()) return further;
   auto friction = friction_with_loads(loaded_.problem, mu, 0);
   return std::make_unique<Record>(*this, claim, std::move(friction), std::move(further));
 }

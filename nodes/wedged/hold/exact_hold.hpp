@@ -40,10 +40,10 @@ class ExactHold {
   [[nodiscard]] bool can_prove() const { return enclosure_.has_value(); }
 
   /// Notes in the parameters which loads are out of equilibrium whatever the reactions.
-  void note_statics(HoldParameters& parameters);
+  void note_statics(HoldParameters& parameters) const;
 
   /// A record that proves what it receives. At its end it also ends `further` if the claim is
-  /// proved. @param further of the same evidence, or null
+  /// proved. @pre can_prove() @param further of the same evidence, or null
   std::unique_ptr<HoldRecord> record(HoldClaim claim, double mu,
                                      std::unique_ptr<HoldRecord> further);
 

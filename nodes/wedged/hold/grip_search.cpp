@@ -230,7 +230,7 @@ void record_grip(engine::Analysis& analysis, const RecordedBlock& block, const G
 GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                      const HoldParameters& parameters, HoldRecord* record) {
   GripRange found{.standing = support::Standing::proved, .minimum = at_zero, .maximum = at_zero};
-  if (parameters.dead_out_of_equilibrium || work_on_other_modes(loaded, {1, 0}) > negligible_work) {
+  if (is_dead_unbalanced(loaded, parameters)) {
     found.held = false;
     return found;
   }
@@ -247,10 +247,8 @@ GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, do
     add(found.minimum, range->minimum);
     add(found.maximum, range->maximum);
     if (record != nullptr) {
-      record_grip(
-          analysis,
-          {block, blocks[number], number, mu, parameters.precision, parameters.nodes_of_evidence},
-          *range, grip.trees(), *record);
+      record_grip(analysis, recorded_block(block, blocks[number], number, mu, parameters), *range,
+                  grip.trees(), *record);
     }
     found.blocks.push_back(*range);
     found.blocks.back().block = number;

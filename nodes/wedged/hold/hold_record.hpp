@@ -90,8 +90,6 @@ class HoldRecord {
   /// rank.
   virtual void state(std::uint32_t block, const std::optional<LoadShare>& share,
                      const LoadedPattern& pattern, std::span<const double> numbers) = 0;
-  /// True if a tree or a state was recorded; on every rank.
-  [[nodiscard]] virtual bool has_evidence() const = 0;
   /// The certificate is complete; on every rank.
   virtual void finish() = 0;
 };

@@ -67,12 +67,13 @@ std::optional<double> only_factor(const LoadedProblem& loaded) {
   return factor;
 }
 
+const HeldFactors never_in_equilibrium{.outside = Standing::proved, .not_in_equilibrium = true};
+
 // States at that one factor.
 HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                           const HoldParameters& parameters) {
   const auto factor = only_factor(loaded);
-  if (!factor)
-    return {.outside = Standing::proved, .one_factor_at_most = true, .not_in_equilibrium = true};
+  if (!factor) return never_in_equilibrium;
   LoadedProblem fixed = loaded;  // the dead load of that factor alone
   if (loaded.has_dead) {
     fixed.loads.displacements.col(0) +=
@@ -94,7 +95,6 @@ HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loade
   fixed.loads.sizes = Eigen::VectorXd(fixed.loads.sizes.head(kept));
   auto at = held_factors(analysis, fixed, mu, parameters);
   at.any_by_supports = false;
-  at.one_factor_at_most = true;
   // The factor is that of equilibrium up to its rounding.
   for (auto& each : at.intervals) {
     each.low = each.high = *factor;
@@ -116,22 +116,30 @@ HeldFactors with_total(engine::Analysis& analysis, const LoadedProblem& loaded, 
   auto found = is_under_reference(block) ? hold.factors(mu, true) : hold.dead_alone(mu);
   found.costs = std::move(costs);
   if (record != nullptr && found.status == engine::Status::solved)
-    hold.record({block, candidates, 0, mu, parameters.precision, parameters.nodes_of_evidence},
-                *record);
+    hold.record(recorded_block(block, candidates, 0, mu, parameters), *record);
   return found;
 }
 
 }  // namespace
 
+bool is_dead_unbalanced(const LoadedProblem& loaded, const HoldParameters& parameters) {
+  return parameters.dead_out_of_equilibrium ||
+         work_on_other_modes(loaded, {1, 0}) > negligible_work;
+}
+
+RecordedBlock recorded_block(const LoadedProblem& block, const support::IndexSet& candidates,
+                             std::uint32_t number, double mu, const HoldParameters& parameters) {
+  return {block, candidates, number, mu, parameters.precision, parameters.nodes_of_evidence};
+}
+
 HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                          const HoldParameters& parameters, HoldRecord* record) {
-  const HeldFactors unbalanced{.outside = Standing::proved, .not_in_equilibrium = true};
-  if (parameters.never_in_equilibrium) return unbalanced;
+  if (parameters.never_in_equilibrium) return never_in_equilibrium;
   HeldFactors found{.outside = Standing::proved};
   found.any_by_supports = is_constrained(loaded);
   if (loaded.has_reference && work_on_other_modes(loaded, {0, 1}) > negligible_work)
     return at_one_factor(analysis, loaded, mu, parameters);
-  if (work_on_other_modes(loaded, {1, 0}) > negligible_work) return unbalanced;
+  if (work_on_other_modes(loaded, {1, 0}) > negligible_work) return never_in_equilibrium;
   if (parameters.total) return with_total(analysis, loaded, mu, parameters, record);
   found.intervals.push_back(HeldInterval::from(-unbounded_end, unbounded_end, Standing::proved));
   bool searched = false;
@@ -161,9 +169,7 @@ HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded
       break;
     }
     if (record != nullptr)
-      hold.record(
-          {block, blocks[number], number, mu, parameters.precision, parameters.nodes_of_evidence},
-          *record);
+      hold.record(recorded_block(block, blocks[number], number, mu, parameters), *record);
   }
   found.any_by_wedging = searched && wedged;
   return found;
@@ -190,9 +196,7 @@ void record_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
     if (evidence.tree) {
       const auto number = evidence.lower_block;
       const LoadedProblem block = loaded_block(loaded, blocks[number]);
-      record_tree(analysis,
-                  {block, blocks[number], number, lower->value, parameters.precision,
-                   parameters.nodes_of_evidence},
+      record_tree(analysis, recorded_block(block, blocks[number], number, lower->value, parameters),
                   *evidence.tree, *record);
     }
     record->finish();
@@ -203,9 +207,7 @@ void record_friction(engine::Analysis& analysis, const LoadedProblem& loaded,
     const auto& pattern = evidence.patterns[number];
     if (!pattern) continue;
     const LoadedProblem block = loaded_block(loaded, blocks[number]);
-    record_state(analysis,
-                 {block, blocks[number], number, upper->value, parameters.precision,
-                  parameters.nodes_of_evidence},
+    record_state(analysis, recorded_block(block, blocks[number], number, upper->value, parameters),
                  *pattern, dead, {}, *record);
   }
   record->finish();
@@ -219,7 +221,7 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
   found.bracket.upper = Bound{0, Standing::proved};
   found.maximum = parameters.maximum;
   found.any_by_supports = is_constrained(loaded);
-  if (parameters.dead_out_of_equilibrium || work_on_other_modes(loaded, {1, 0}) > negligible_work) {
+  if (is_dead_unbalanced(loaded, parameters)) {
     found.not_in_equilibrium = true;
     found.any_by_supports = false;
     found.bracket = {.lower = Bound{0, Standing::proved}};

@@ -63,7 +63,6 @@ struct HeldFactors {
   bool unresolved = false;                ///< leaves are undecided: factors may be missing
   bool any_by_supports = false;           ///< all bodies are constrained: every load is held
   bool any_by_wedging = false;            ///< a wedged configuration holds every load
-  bool one_factor_at_most = false;        ///< equilibrium at one factor or none; without evidence
   bool not_in_equilibrium = false;        ///< at every factor the load moves a body where no
                                           ///< candidate resists
   std::vector<HoldCost> costs{};
@@ -99,6 +98,14 @@ struct HoldParameters {
   bool dead_out_of_equilibrium = false;
   bool never_in_equilibrium = false;
 };
+
+/// True if the dead load moves a body in a direction that no candidate resists.
+bool is_dead_unbalanced(const LoadedProblem& loaded, const HoldParameters& parameters);
+
+/// A block for its evidence at a coefficient.
+/// @param number in the whole problem  @param candidates likewise
+RecordedBlock recorded_block(const LoadedProblem& block, const support::IndexSet& candidates,
+                             std::uint32_t number, double mu, const HoldParameters& parameters);
 
 /// Load factors that are held at one coefficient, as intervals with their standing. Every rank
 /// makes the same call and gets the same result. At a limit `status` names it, and the result has
