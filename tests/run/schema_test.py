@@ -77,13 +77,15 @@ OPTIONAL_OF = {
     "rays": {"result": {"tree", "motions", "proved_cones"}, "cones": {"motions"}, "rays": {"axial_forces"}},
     "critical": {"patterns": {"block", "inactive", "axial_forces"},
                  # depending on the method
-                 "statistics": {"ranks"}, "ranks": {"branched", "infeasible", "leaves", "undecided", "iterations"}},
+                 "statistics": {"ranks"}},
     "limit": {"member_loss": {"forces", "critical_parameters"}, "struts": {"minimum", "maximum", "factor", "fatal", "lost", "member_loss"}, "uncertain_loads": {"half_width"}, "cases": {"minimum", "maximum", "factor"}, "statistics": {"nodes", "corners", "tree_programs", "zero_one", "member_loss"},
               "result": {"kept", "reference_action", "nominal_bounds", "minimum_parameters", "member_loss", "struts", "zero_one", "case", "cases", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
     "sweep": {"result": {"curve_end"}, "patterns": {"block", "inactive"}, "open": {"block", "inactive"}},
     "mip": {"result": {"columns"}},
     "hold": {"structure": {"reference_loads"}},
 }
+# objects with counts of a search
+COUNTING = {"ranks", "earlier_runs", "tree", "histories"}
 # keys are names of options, or of the problem
 NAMED = {"options", "support_reactions", "nominal_support_reactions", "columns", "reactions"}
 
@@ -201,14 +203,17 @@ class Schema(KusabiCase):
         result = short(result)
         self.assertTrue(self.schema.is_valid(result))
         own = OPTIONAL_OF[result["command"]]
+        # Which of them a search counts depends on the search.
+        counts = set(self.schema.schema["$defs"]["counts"]["properties"])
         for way, owner in list(places(result)):
             inner = result
             for key in way[:-1]:
                 inner = inner[key]
             key, value = way[-1], inner[way[-1]]
             del inner[key]
+            optional = OPTIONAL.get(owner, set()) | own.get(owner, set()) | (counts if owner in COUNTING else set())
             with self.subTest(missing=way):
-                self.assertEqual(self.schema.is_valid(result), key in OPTIONAL.get(owner, set()) | own.get(owner, set()))
+                self.assertEqual(self.schema.is_valid(result), key in optional)
             inner[key + "_"] = value
             with self.subTest(renamed=way):
                 self.assertFalse(self.schema.is_valid(result))
