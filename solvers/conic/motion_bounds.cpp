@@ -1,6 +1,7 @@
 // Rigid-mode bounds from the least singular values of the rows of G at a node.
 #include "solvers/conic/motion_bounds.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -15,20 +16,10 @@ namespace {
 // the rounding of positions and directions in the file.
 constexpr double negligible = 1e-10;
 
+using Decomposition = Eigen::BDCSVD<Eigen::MatrixXd>;
+
 // Reciprocal of the least singular value above the threshold; zero for a zero matrix.
-double inverse_of_minimum(const Eigen::MatrixXd& part, double negligible_share) {
-  if (part.size() == 0) return 0;
-  Eigen::VectorXd values;
-  if (part.rows() > part.cols()) {
-    const Eigen::HouseholderQR<Eigen::MatrixXd> factor(part);
-    const Eigen::MatrixXd small =
-        factor.matrixQR().topRows(part.cols()).triangularView<Eigen::Upper>();
-    values = Eigen::JacobiSVD<Eigen::MatrixXd>(small).singularValues();
-  } else {
-    values = Eigen::JacobiSVD<Eigen::MatrixXd>(part).singularValues();
-    if (negligible_share == 0 && part.rows() < part.cols())
-      return std::numeric_limits<double>::infinity();
-  }
+double inverse_of_minimum(const Eigen::VectorXd& values, double negligible_share) {
   const double floor = negligible_share * values[0];
   double minimum = std::numeric_limits<double>::infinity();
   for (const double value : values)
@@ -36,18 +27,38 @@ double inverse_of_minimum(const Eigen::MatrixXd& part, double negligible_share) 
   return std::isfinite(minimum) ? 1.001 / minimum : 0;
 }
 
-// True if a load has a part orthogonal to all rows of `part`, which is taken as zero below the
+// Singular values; of a matrix with many rows those of its triangular factor. The errors of
+// bidiagonalisation are those of the largest value: a smaller one that has fewer digits than the
+// bounds need is computed by rotations, which takes ten times as long.
+Eigen::VectorXd singular_values(const Eigen::MatrixXd& part) {
+  constexpr double few_digits = 1e-12;
+  Eigen::MatrixXd small = part;
+  if (part.rows() > part.cols()) {
+    const Eigen::HouseholderQR<Eigen::MatrixXd> factor(part);
+    small = factor.matrixQR().topRows(part.cols()).triangularView<Eigen::Upper>();
+  }
+  Eigen::VectorXd values = Decomposition(small).singularValues();
+  if (values.tail(1)[0] < few_digits * values[0])
+    values = Eigen::JacobiSVD<Eigen::MatrixXd>(small).singularValues();
+  return values;
+}
+
+double inverse_of_minimum(const Eigen::MatrixXd& part, double negligible_share) {
+  if (part.size() == 0) return 0;
+  if (negligible_share == 0 && part.rows() < part.cols())
+    return std::numeric_limits<double>::infinity();
+  return inverse_of_minimum(singular_values(part), negligible_share);
+}
+
+// True if a load has a part orthogonal to all rows of a matrix, which is taken as zero below the
 // threshold.
-bool acts_alone(const Eigen::MatrixXd& part, const Eigen::VectorXd& load) {
+bool acts_alone(const Decomposition& part, const Eigen::VectorXd& load) {
   const double size = load.norm();
   if (size == 0) return false;
-  if (part.rows() == 0) return true;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(part, Eigen::ComputeFullV);
+  const auto& values = part.singularValues();
   Eigen::VectorXd left = load;
-  for (Eigen::Index l = 0; l < svd.singularValues().size(); ++l) {
-    if (svd.singularValues()[l] <= negligible * svd.singularValues()[0]) break;
-    left -= svd.matrixV().col(l).dot(load) * svd.matrixV().col(l);
-  }
+  for (Eigen::Index l = 0; l < values.size() && values[l] > negligible * values[0]; ++l)
+    left -= part.matrixV().col(l).dot(load) * part.matrixV().col(l);
   return left.norm() > negligible * size;
 }
 
@@ -77,10 +88,16 @@ double RigidModeBounds::carrying_reaction(std::span<const int> cones, int dimens
   for (const int k : cones)
     for (int d = 0; d < acting(k); ++d, ++row)
       part.row(row) = motions_.row(dimension * k + d) / roots_[dimension * k + d];
+  if (part.cols() == 0) return 0;
+  if (rows == 0) {
+    const auto acts = [&](int j) { return !motions_.row(dimension * j).isZero(0); };
+    return std::ranges::any_of(loads, acts) ? std::numeric_limits<double>::infinity() : 0;
+  }
+  const Decomposition decomposition(part, Eigen::ComputeThinV);
   for (const int j : loads)
-    if (acts_alone(part, motions_.row(dimension * j) / roots_[dimension * j]))
+    if (acts_alone(decomposition, motions_.row(dimension * j) / roots_[dimension * j]))
       return std::numeric_limits<double>::infinity();
-  return inverse_of_minimum(part, negligible);
+  return inverse_of_minimum(decomposition.singularValues(), negligible);
 }
 
 double RigidModeBounds::closing_displacement(std::span<const int> contact) const {

@@ -13,7 +13,7 @@ import sys
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 from kusabi_case import (  # noqa: E402: beside the folder of this file
     EXAMPLES, SOURCES, KusabiCase, counted, main, moved, sealed, with_ends, without_digest)
-from hold_test import BELOW_CEILING, BOX, LOAD  # noqa: E402: beside this file
+from hold_test import BELOW_CEILING, BOX, HEAD, LOAD, SOLID  # noqa: E402: beside this file
 
 LADDER = EXAMPLES / "ladder.toml"
 PEG = EXAMPLES / "peg-under-load.toml"
@@ -162,6 +162,38 @@ class HoldCertificate(KusabiCase):
             for low, high in none:
                 self.assertTrue(high <= LEAST + 1e-12 or low >= MOST - 1e-12, said)
         self.assertGreater(outcomes.get(1, 0) + outcomes.get(2, 0), 10, outcomes)
+
+    def test_a_state_has_the_tangential_reactions_of_equilibrium(self):
+        place = self.problem(BOX + LOAD.format('"bl", "br"', [0.15, -0.5]))  # friction 0.3 holds it
+        body = without_digest(self.written(place, "--mu", "0.5"))
+        half = "0x1p-1"
+        self.assertIn(f"\nfriction {half} {half} ", body)
+        forged = self.folder / "forged"
+
+        def outcome(friction, share):
+            other = body.replace(f"\nfriction {half} {half} ", f"\nfriction {friction} {friction} ")
+            line = re.search(r"(?m)^held 1 .*$", other)[0].split(" ")
+            line[6:8] = [(float.fromhex(x) * share).hex() for x in line[6:8]]
+            forged.write_text(sealed(re.sub(r"(?m)^held 1 .*$", " ".join(line), other)))
+            return self.kusabi("verify", forged)
+
+        for friction, share, code in ((half, 1, 0), (half, 0.5, 0), ("0x1.999999999999ap-3", 1, 1),
+                                      ("0x1.999999999999ap-3", 0.5, 1)):
+            run = outcome(friction, share)
+            with self.subTest(friction=friction, share=share):
+                self.assertEqual(run.returncode, code, run.stdout + run.stderr)
+
+    def test_a_state_has_no_reaction_where_nothing_resists(self):
+        block = ("[nodes]\nbl = [0, 0]\nbr = [2, 0]\ntr = [2, 1]\ntl = [0, 1]\n[[elements]]" + SOLID +
+                 '\nbetween = [["bl", "br", "tr", "tl"]]\n[[contact]]\nnodes = ["bl", "br"]\nnormal = [0, 1]\n'
+                 "friction_factor = 0\n")
+        body = without_digest(self.written(self.problem(HEAD + block + LOAD.format('"bl", "br"', [0, -0.5])), "--mu", "0.5"))
+        forged = self.folder / "forged"
+        for push, code in (("0x0p+0", 0), ("0x1p-60", 1), ("0x1p-4", 1)):
+            forged.write_text(sealed(body.replace("\ndead -0x1p-1 0x0p+0 ", f"\ndead -0x1p-1 {push} ")))
+            run = self.kusabi("verify", forged)
+            with self.subTest(push=push):
+                self.assertEqual(run.returncode, code, run.stdout + run.stderr)
 
     def test_equilibrium_alone_excludes_loads_beside_wedged_configurations(self):
         # The box of hold_test slides up to a coefficient of 0.3; the wedge in its groove can be clamped from 0.268 on.

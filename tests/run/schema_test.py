@@ -203,7 +203,7 @@ class Schema(KusabiCase):
         result = short(result)
         self.assertTrue(self.schema.is_valid(result))
         own = OPTIONAL_OF[result["command"]]
-        # Which of them a search counts depends on the search.
+        # optional, since searches count different things
         counts = set(self.schema.schema["$defs"]["counts"]["properties"])
         for way, owner in list(places(result)):
             inner = result

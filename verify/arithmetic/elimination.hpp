@@ -52,6 +52,6 @@ class Elimination {
 };
 
 /// A solution x of row'x = right for all rows. @return nothing if there is none
-std::optional<Rationals> solution(std::vector<Rationals> rows, Rationals right);
+std::optional<Rationals> solution(std::vector<Rationals> rows, const Rationals& right);
 
 }  // namespace kusabi::verify

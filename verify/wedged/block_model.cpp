@@ -2,6 +2,7 @@
 #include "verify/wedged/block_model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -28,6 +29,84 @@ DyadicList times(const DyadicList& list, const Dyadic& factor) {
   return result;
 }
 
+// Elimination of modes by the rows of G with the largest products, with complete pivoting. Doubles
+// are too few digits for a body with a long lever, and rational numbers too many for a hundred
+// bodies.
+class LargestRows {
+ public:
+  explicit LargestRows(const ContactMotions& motions) {
+    for (std::size_t k = 0; k < motions.count; ++k) {
+      auto& mode = modes_.emplace_back();
+      mode.coefficients.assign(motions.count, Number(0, digits));
+      mode.coefficients[k] = 1;
+      for (std::size_t row = 0; row < motions.rows.size(); ++row) {
+        mode.displacements.emplace_back(motions.rows[row][k], digits);
+        mode.displacements.back() /= motions.lengths[row].nearest();
+      }
+    }
+  }
+
+  /// Those of some rows that remove a mode, until the displacements of the others in these rows are
+  /// at most a share of the first.
+  std::vector<std::size_t> take(const std::vector<std::size_t>& rows, double negligible) {
+    std::vector<std::size_t> taken;
+    double first = 0;
+    while (!modes_.empty()) {
+      double maximum = 0;
+      std::size_t best = 0;
+      auto pivot = modes_.end();
+      for (auto mode = modes_.begin(); mode != modes_.end(); ++mode) {
+        for (const auto row : rows) {
+          const double size = std::abs(mode->displacements[row].get_d());
+          if (!(size > maximum)) continue;
+          maximum = size;
+          best = row;
+          pivot = mode;
+        }
+      }
+      if (maximum <= negligible * first) break;
+      first = std::max(first, maximum);
+      remove(pivot, best);
+      taken.push_back(best);
+    }
+    return taken;
+  }
+
+  /// The modes that are left.
+  [[nodiscard]] std::vector<Rationals> left() const {
+    std::vector<Rationals> result;
+    for (const auto& mode : modes_)
+      result.emplace_back(mode.coefficients.begin(), mode.coefficients.end());
+    return result;
+  }
+
+ private:
+  using Number = mpf_class;
+  static constexpr mp_bitcnt_t digits = 256;
+
+  struct Mode {
+    std::vector<Number> coefficients, displacements;
+  };
+
+  void remove(std::vector<Mode>::iterator pivot, std::size_t row) {
+    const Mode removed = std::move(*pivot);
+    modes_.erase(pivot);
+    for (auto& mode : modes_) {
+      if (sgn(mode.displacements[row]) == 0) continue;
+      const Number factor = mode.displacements[row] / removed.displacements[row];
+      const auto subtract = [&](auto& from, const auto& what) {
+        for (std::size_t k = 0; k < from.size(); ++k)
+          if (sgn(what[k]) != 0) from[k] -= factor * what[k];
+      };
+      subtract(mode.coefficients, removed.coefficients);
+      subtract(mode.displacements, removed.displacements);
+      mode.displacements[row] = 0;
+    }
+  }
+
+  std::vector<Mode> modes_;
+};
+
 }  // namespace
 
 BlockModel::BlockModel(ContactBlock block) : block_(std::move(block)) {
@@ -39,7 +118,7 @@ BlockModel::BlockModel(ContactBlock block) : block_(std::move(block)) {
   steepest_ = sqrt_above(steepest);
   near_motions_ = block_.motions.nearest();
   const auto p = motions();
-  const auto [springs, sliding] = grounding({});
+  const auto springs = grounding({}).springs;
   if (springs.size() != p) return;  // the modes are dependent
   // Column by column: the recorded mode as a combination of the block's modes.
   own_of_recorded_.resize(p * p);
@@ -54,42 +133,25 @@ BlockModel::BlockModel(ContactBlock block) : block_(std::move(block)) {
   minimum_ = regularised(springs).min_eigenvalue();
 }
 
-void BlockModel::add_largest_rows(const std::vector<std::size_t>& rows, double negligible,
-                                  Elimination& rest, std::vector<std::size_t>& chosen) const {
-  std::optional<double> first;
-  while (!rest.basis().empty()) {
-    std::optional<double> maximum;
-    std::size_t best = 0;
-    for (const auto row : rows) {
-      for (const auto& product : rest.products(block_.motions.rows[row])) {
-        const double size = std::abs(product.get_d()) / block_.motions.lengths[row].nearest();
-        if (sgn(product) == 0 || (maximum && size <= *maximum)) continue;
-        maximum = size;
-        best = row;
-      }
-    }
-    if (!maximum || (first && *maximum <= negligible * *first)) return;
-    if (!first) first = maximum;
-    rest.add_equation(block_.motions.rows[best]);
-    chosen.push_back(best);
-  }
-}
-
 Grounding BlockModel::grounding(const IndexSet& contact) const {
   const auto d = block_.dimension;
   Grounding result;
   if (motions() == 0) return result;
-  std::vector<std::size_t> normals;
-  std::vector<std::size_t> others;
+  std::array<std::vector<std::size_t>, 3> rows;  // normals and tangents with reactions, others
   for (std::size_t row = 0; row < d * candidates(); ++row) {
-    auto& list = row % d == 0 && contains(contact, row / d) ? normals : others;
-    list.push_back(row);
+    const auto own = row / d;
+    const bool normal = row % d == 0;
+    const bool reaction = contains(contact, own) && (normal || block_.friction[own] > 0);
+    rows.at(!reaction ? 2 : normal ? 0 : 1).push_back(row);
   }
-  Elimination rest(motions());
-  add_largest_rows(normals, nearly_sliding, rest, result.springs);
-  result.sliding = rest.basis();
-  add_largest_rows(others, 0, rest, result.springs);
-  std::sort(result.springs.begin(), result.springs.end());
+  LargestRows rest(block_.motions);
+  result.springs = rest.take(rows[0], nearly_sliding);
+  result.sliding = rest.left();
+  result.held = rest.take(rows[1], nearly_sliding);
+  result.unseen = rest.take(rows[2], 0);
+  result.held.insert(result.held.end(), result.unseen.begin(), result.unseen.end());
+  result.springs.insert(result.springs.end(), result.held.begin(), result.held.end());
+  std::ranges::sort(result.springs);
   return result;
 }
 

@@ -52,10 +52,14 @@ struct ActingLoad {
   Rationals work;   ///< on the modes, p
 };
 
-/// Grounding springs for the rigid-body modes, and the sliding modes: those that leave all normal
-/// displacements of U zero up to a rounding.
+/// Grounding springs for the rigid-body modes: as many normal displacements of U as resist modes,
+/// then tangential ones of U with friction, then others.
 struct Grounding {
-  std::vector<std::size_t> springs;
+  std::vector<std::size_t> springs;  ///< p, in increasing order
+  std::vector<std::size_t> held;     ///< those that are not normal displacements of U
+  /// Of these, those where U has no reaction, for modes that no reaction of U resists.
+  std::vector<std::size_t> unseen;
+  /// Modes that leave all normal displacements of U zero, rounded.
   std::vector<Rationals> sliding;
 };
 
@@ -74,12 +78,8 @@ class BlockModel {
   /// mode; nothing if none was proved.
   [[nodiscard]] const std::optional<Dyadic>& min_eigenvalue() const { return minimum_; }
 
+  /// By elimination in floating point: that K with these springs is definite is proved afterwards.
   [[nodiscard]] Grounding grounding(const support::IndexSet& contact) const;
-  /// Adds equations for rows of G, those of the largest products first, until the remaining
-  /// products are below a share of the first.
-  void add_largest_rows(const std::vector<std::size_t>& rows, double negligible, Elimination& rest,
-                        std::vector<std::size_t>& chosen) const;
-
   [[nodiscard]] const RegularisedStiffness& regularised(
       const std::vector<std::size_t>& springs) const;
   /// One whose springs act on normal displacements of U only; null if none was computed.

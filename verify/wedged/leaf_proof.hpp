@@ -1,5 +1,5 @@
 // LeafProof: a configuration in the interior of the cone of a sign pattern, or a state under a load
-// with these signs (docs/theory/proofs.md).
+// with these signs (docs/theory/proofs.md, "Feasible leaf").
 #pragma once
 
 #include <cstddef>
@@ -38,39 +38,37 @@ class LeafProof {
   // Adds the load, and the forces that would close the gaps of U.
   void add_load(LoadShare share);
   [[nodiscard]] std::optional<std::string> read_numbers();
-  // Makes the tangential reactions orthogonal to the sliding modes.
-  [[nodiscard]] std::optional<std::string> balance_sliding(const std::vector<double>& room);
-  // Adds the norms `lift_` and `correction_` of sliding modes that displace tangents of U.
-  // @param rows products of the rows of G with these modes @return false if they are dependent
-  [[nodiscard]] bool add_corrections(const std::vector<Rationals>& rows,
-                                     const std::vector<std::size_t>& tangents,
-                                     const std::vector<Rationals>& modes);
-  // Upper bound of the norm of normal displacements on U.
-  [[nodiscard]] Dyadic normal_size(const ApproximateList& displacements) const;
-  // Bound of the error of the tangential reactions caused by the normal displacements of sliding
-  // modes on U; nothing if it is too large. `pressures` is the norm of r_n.
-  [[nodiscard]] std::optional<Dyadic> error_of_lift(const RegularisedStiffness& stiffness,
-                                                    const ApproximateList& shift,
-                                                    const Dyadic& pressures) const;
+  // Exact test that the reactions at displacements without friction or contact vanish.
+  [[nodiscard]] std::optional<std::string> refusal_of_reactions(
+      const std::vector<std::size_t>& unseen) const;
+  // The forces that close the gaps of U, with the motion.
+  void close_gaps(const RegularisedStiffness& stiffness);
+  // Moves the body such that its mean motion becomes the recorded one.
+  void add_motion(const RegularisedStiffness& stiffness, const std::vector<Rationals>& sliding);
+  // Right-hand side: the tangential reactions and the load.
+  [[nodiscard]] DyadicList right() const;
   [[nodiscard]] std::optional<std::string> check_feasible(const RegularisedStiffness& stiffness,
                                                           const DyadicList& u, const DyadicList& r,
                                                           const Dyadic& unknown) const;
+  // Upper bound of |r_t| s. @param error of all reactions times s
+  [[nodiscard]] Dyadic shear_above(const Dyadic& s, const DyadicList& reaction, const Dyadic& error,
+                                   std::size_t candidate) const;
 
   const BlockModel& model_;
   const ContactBlock& block_;
   const support::IndexSet& contact_;
   std::span<const double> numbers_;
   Grip* grip_;
-  std::vector<std::size_t> unknowns_;  // all displacements except the normal ones of U
-  DyadicList right_;                   // r at the unknowns, given for the tangents of U
-  Dyadic right_error_;                 // bound of the error of r, as a vector
-  std::vector<Rationals> sliding_;
-  Dyadic lift_;               // norm of the matrix of their normal displacements on U
-  Dyadic correction_;         // the same for tangential reactions with unit work on each mode
+  std::vector<bool> held_;             // dm: displacements without a given reaction, except normals
+  std::vector<std::size_t> unknowns_;  // all displacements except these and the normal ones of U
+  DyadicList tangential_;              // r of the tangents of U
   std::vector<double> mean_;  // the recorded mean motion, in coefficients of the block's modes
-  DyadicList tangential_;     // r of the tangents of U
-  DyadicList forces_;         // of the load, with those that close the gaps of U; dm or none
-  Dyadic force_error_;        // bound of the norm of their error
+  DyadicList closing_;        // dm: displacements at the normals of U and where held, else zero
+  ApproximateList motion_;    // G a, added to all displacements
+  DyadicList load_forces_;    // of the load, dm
+  Dyadic load_error_;         // bound of the norm of their error
+  DyadicList forces_;         // with those that close the gaps of U
+  Dyadic force_error_;        // the same for these
   DyadicList gaps_;           // u_n = -gap on U, m
   Rationals work_;            // of the load on the modes
 };

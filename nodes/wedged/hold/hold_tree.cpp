@@ -40,7 +40,7 @@ bool resists_all(const problems::WedgedProblem& problem, const support::IndexSet
   if (p == 0) return true;
   if (static_cast<Eigen::Index>(rows.size()) < p) return false;
   const Eigen::MatrixXd part = problem.modes.matrix(rows, Eigen::all);
-  const auto values = Eigen::JacobiSVD<Eigen::MatrixXd>(part).singularValues();
+  const auto values = Eigen::BDCSVD<Eigen::MatrixXd>(part).singularValues();
   return values[p - 1] > not_resisted * values[0];
 }
 
