@@ -15,6 +15,9 @@ namespace {
 constexpr int max_places = 15;
 /// A double has no more significant digits.
 constexpr int all_digits = 17;
+/// Smaller numbers are shown as zero or as this one: they have fewer digits the closer they are to
+/// the end of the range of doubles, and no quantity is that small.
+constexpr double least_shown = 1e-300;
 
 int places_of(double number, int digits) {
   if (number == 0 || !std::isfinite(number)) return 0;
@@ -53,6 +56,8 @@ std::string with_power(double number, int digits, int way) {
 // @param digits for numbers with a power of ten @param way -1: down, 1: up
 std::string rounded(double number, int places, int digits, int way) {
   if (number == 0) return "0";
+  if (std::abs(number) < least_shown)
+    return way * number < 0 ? "0" : fmt::format("{}", way * least_shown);
   if (!std::isfinite(number) || places < 0) return fmt::format("{}", number);
   if (places > max_places) places = places_of(number, digits);
   if (places > max_places) return with_power(number, std::min(digits, all_digits), way);
@@ -89,7 +94,8 @@ ShownBracket inside(double low, double high, int digits) {
 ShownBracket in_table(double lower, double upper) {
   for (int digits = digits_of_table; digits < all_digits; ++digits) {
     auto shown = in_sentence(lower, upper, digits);
-    if (value_of(shown.upper) - value_of(shown.lower) <= 2 * (upper - lower)) return shown;
+    const double width = value_of(shown.upper) - value_of(shown.lower);
+    if (width <= 2 * std::max(upper - lower, least_shown)) return shown;
   }
   return {fmt::format("{}", lower), fmt::format("{}", upper)};
 }

@@ -28,13 +28,12 @@
 namespace kusabi::run {
 namespace {
 
-using limit::RootStatus;
 using nlohmann::ordered_json;
 
 const char* state_of(const limit::LimitWorstCase& worst,
                      const limit::GuaranteedInterval& interval) {
   if (!worst.proved() || !is_proved(interval.standing())) return "open";
-  return worst.status == RootStatus::not_carried ? "not-carried" : "solved";
+  return interval.at_none ? "not-carried" : "solved";
 }
 
 // Load factors below the worst case that are carried under every admissible load.
@@ -153,6 +152,7 @@ void add_cells(CsvWriter& csv, const std::optional<support::Bound>& bound) {
 support::Bracket around(double factor, const std::optional<double>& error) {
   constexpr double endless = std::numeric_limits<double>::infinity();
   if (!error) return {support::Bound{factor}, support::Bound{factor}};
+  if (*error == 0) return support::Bracket::proved(factor, factor);
   return support::Bracket::proved(std::nextafter(factor - *error, -endless),
                                   std::nextafter(factor + *error, endless));
 }
@@ -189,8 +189,9 @@ std::string LoadSweep::table() const {
   if (!found_.points.empty()) text += "\n       alpha  worst-case load factor\n";
   for (const auto& [alpha, worst, interval] : found_.points) {
     fmt::format_to(out, "{:>12.8g}  ", alpha);
-    if (worst.status == RootStatus::not_carried) {
-      fmt::format_to(out, "not carried at any factor, {}\n", answer::standing_word(worst.standing));
+    if (interval.at_none) {
+      fmt::format_to(out, "not carried at any factor, {}\n",
+                     answer::standing_word(*interval.at_none));
     } else {
       const auto& ends = worst.ends;
       const bool apart = !worst.proved() && ends.has_proved_ends();
@@ -214,8 +215,8 @@ answer::Verdict LoadSweep::verdict() const {
   if (!found_.points.empty()) {
     const auto& [alpha, worst, interval] = found_.points.back();
     steps.half_width = alpha;
-    if (worst.status == RootStatus::not_carried) {
-      steps.worst_at_none = worst.standing;
+    if (interval.at_none) {
+      steps.worst_at_none = interval.at_none;
     } else {
       steps.worst = worst.ends;
       steps.minimum = interval.minimum;

@@ -2,6 +2,7 @@
 #include "support/rounded_bounds.hpp"
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -63,6 +64,19 @@ TEST(ShownBracket, OfATinyNumberHasAPowerOfTenAndFewDigits) {
   EXPECT_EQ(rounded_up(9.999999e-30), "1e-29");
   EXPECT_EQ(in_sentence(0, 4.8689434088798864e-96).lower, "0");
   EXPECT_EQ(in_sentence(-5.12345678, 4.8689434088798864e-96).lower, "-5.1235");
+}
+
+TEST(ShownBracket, HasNoNumberOfTheEndOfTheRangeOfDoubles) {
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(rounded_down(-least, digits_of_table), "-1e-300");
+  EXPECT_EQ(rounded_up(-least), "0");
+  EXPECT_EQ(rounded_down(3e-310), "0");
+  EXPECT_EQ(rounded_up(3e-310), "1e-300");
+  EXPECT_EQ(rounded_up(1e-299), "1e-299");
+  EXPECT_EQ(in_sentence(-least, 0).lower, "-1e-300");
+  EXPECT_EQ(in_sentence(-least, 5).lower, "-1e-300");
+  EXPECT_EQ(in_table(-2 * least, 0).lower, "-1e-300");
+  EXPECT_EQ(in_table(-2 * least, 0).upper, "0");
 }
 
 TEST(ShownBracket, KeepsZero) {
