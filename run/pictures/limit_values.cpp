@@ -23,21 +23,24 @@ using limit::LoadCurve;
 using nlohmann::ordered_json;
 using problems::LimitProblem;
 
-/// Digits of a place, and decimal places of a factor, in the table of a curve.
-constexpr int digits_of_curve = 8;
+/// Significant digits in the table of a curve.
+constexpr int digits_of_place = 8;
+constexpr int digits_of_factor = 10;
 
 // Distance within which the curve passes the points of its table; empty if it is not proved.
 std::string distance_text(const LoadCurve& curve) {
   constexpr double shift = 1e-7;   // of a place by rounding, relative
-  constexpr double change = 1e-8;  // of a factor by rounding
+  constexpr double change = 1e-9;  // of a factor by rounding, relative
   double error = 0;
   double slope = 0;
+  double largest = std::abs(curve.pieces.back().factor_at_end);
   for (const auto& piece : curve.pieces) {
     if (!piece.error) return {};
     error = std::max(error, *piece.error);
     slope = std::max(slope, std::abs(piece.from.slope));
+    largest = std::max(largest, std::abs(piece.from.factor));
   }
-  error += shift * slope * curve.pieces.back().to + change;
+  error += shift * slope * curve.pieces.back().to + change * largest;
   return fmt::format("each factor is within {} of that of the curve, {}\n",
                      support::rounded_up(error, 2),
                      answer::standing_word(support::Standing::proved));
@@ -125,8 +128,8 @@ std::string curve_text(const LimitProblem& problem, const LoadCurve& curve,
       fmt::format("{:>12} {:>14}  collapse mode above this {}\n", variable, "factor", variable);
   const auto out = std::back_inserter(text);
   const auto row = [&](double at, double factor) {
-    fmt::format_to(out, "{:>12} {:>14.{}f}", support::rounded_down(scale * at, digits_of_curve),
-                   factor, digits_of_curve);
+    fmt::format_to(out, "{:>12} {:>14.{}g}", support::rounded_down(scale * at, digits_of_place),
+                   factor, digits_of_factor);
   };
   for (const auto& piece : curve.pieces) {
     const auto mode = named_mode(problem, piece.from.motion);
@@ -139,7 +142,7 @@ std::string curve_text(const LimitProblem& problem, const LoadCurve& curve,
   text += '\n';
   if (const auto& end = curve.end)
     fmt::format_to(out, "{:>12}  not carried at any factor from here on, {}\n",
-                   support::rounded_up(scale * end->not_carried_at, digits_of_curve),
+                   support::rounded_up(scale * end->not_carried_at, digits_of_place),
                    answer::standing_word(end->standing));
   return text + distance_text(curve);
 }
