@@ -37,15 +37,35 @@ const char* if_large(const LoadInterval& found) {
   return found.if_big_m ? " if M is large enough" : "";
 }
 
+// Factors that are not carried, which those at full strength bound if there are struts.
+std::string none_above(const LoadInterval& found) {
+  const auto& upper = found.maximum.upper;
+  if (!upper) return {};
+  return fmt::format("; {}no factor above {} is carried{}{}",
+                     found.struts ? "even with all struts at full strength " : "",
+                     support::rounded_up(upper->value), if_large(found),
+                     unless_proved(upper->standing));
+}
+
 // Condition of the factors that are carried, and what bounds them.
 std::string of_struts(const LoadInterval& found) {
   if (!found.struts) return {};
-  std::string text = ", while no strut falls below its residual strength";
-  if (const auto& upper = found.maximum.upper) {
-    text += fmt::format("; {}{} at full strength is an upper value",
-                        support::rounded_up(upper->value), unless_proved(upper->standing));
-  }
-  return text;
+  return ", while no strut falls below its residual strength" + none_above(found);
+}
+
+// Of an open bracket of the largest factor, unless of_struts() gives it: its upper bound.
+std::string gap_above(const LoadInterval& found) {
+  constexpr double visible = 1e-4;  // relative, in sentences of five digits
+  const auto& [lower, upper] = found.maximum;
+  const bool closed = upper && upper->value - lower->value <= visible * std::abs(upper->value);
+  return found.struts || closed ? std::string() : none_above(found);
+}
+
+// No carried factor is known: the strength for which one was sought, and the bound that is known.
+std::string none_found(const LoadInterval& found, const std::string& what) {
+  return fmt::format("{} load factor was found {}{}.",
+                     found.struts ? "With all struts at their residual strength no" : "No", what,
+                     none_above(found));
 }
 
 // Standing of a statement that follows from those of these bounds that are known.
@@ -92,8 +112,7 @@ std::optional<std::string> nominal_without_factor(const LoadInterval& found) {
   }
   // The largest factor of a case need not be carried in the other cases.
   if (!found.maximum.lower || (found.cases > 1 && !found.minimum.upper)) {
-    return fmt::format("No load factor was found at which it carries its dead load{}{}.",
-                       in_cases(found), of_struts(found));
+    return none_found(found, "at which it carries its dead load" + in_cases(found));
   }
   return std::nullopt;
 }
@@ -117,7 +136,7 @@ std::string nominal(const LoadInterval& found) {
   if (!from) {  // smaller factors need not be carried
     return fmt::format("The largest factor of {} that it carries is at least {}{}{}.",
                        reference(found), support::rounded_down(to->value),
-                       unless_proved(to->standing), of_struts(found));
+                       unless_proved(to->standing), of_struts(found) + gap_above(found));
   }
   auto standing = of_all({from, to});
   if (from->value > 0 || to->value < 0) {
@@ -143,16 +162,6 @@ std::string proved_or(const Bracket& bracket) {
   return standing == Standing::proved ? ", proved" : unless_proved(standing);
 }
 
-// Of an open bracket of the largest factor: its upper bound.
-std::string none_above(const LoadInterval& found) {
-  constexpr double visible = 1e-4;  // relative, in sentences of five digits
-  const auto& [lower, upper] = found.maximum;
-  if (found.struts || !upper || upper->value - lower->value <= visible * std::abs(upper->value))
-    return {};
-  return fmt::format("; no factor above {} is carried{}", support::rounded_up(upper->value),
-                     unless_proved(upper->standing));
-}
-
 std::string factors_headline(const LoadInterval& found) {
   if (!found.uncertain) return nominal(found);
   if (found.carried_at_none && found.uncertain->half_width == 0)
@@ -169,13 +178,12 @@ std::string factors_headline(const LoadInterval& found) {
                        unless_proved(*standing));
   }
   const auto& to = found.maximum.lower;
-  if (!to)
-    return fmt::format("No load factor was found that it carries {}{}.", loads, of_struts(found));
+  if (!to) return none_found(found, "that it carries " + loads);
   const auto& from = found.minimum.upper;
   if (!from) {
     return fmt::format("The largest factor of {} that it carries is at least {}{}{}, {}{}.",
                        reference(found), support::rounded_down(to->value), if_large(found),
-                       unless_proved(to->standing), loads, of_struts(found));
+                       unless_proved(to->standing), loads, of_struts(found) + gap_above(found));
   }
   if (is_undecided(found)) {
     return fmt::format("It is {}undecided whether any load factor is carried {}.",
@@ -185,7 +193,7 @@ std::string factors_headline(const LoadInterval& found) {
   return fmt::format("It carries every factor from {}{} to {}{}{} of {}, {}{}{}.", low,
                      unless_proved(from->standing), high, if_large(found),
                      unless_proved(to->standing), reference(found), loads, of_struts(found),
-                     none_above(found));
+                     gap_above(found));
 }
 
 // True if every load factor from 0 to 1 is carried; nothing if that is not proved either way.

@@ -57,8 +57,9 @@ std::string capital(std::string text) {
 std::string at_most(const MemberLoss& found) {
   if (!found.factor.upper) return {};
   const auto& [value, standing] = *found.factor.upper;
-  return fmt::format("{} {}{}{}", after_worst_loss(found.lost, found.sudden),
-                     found.uncertain ? "and under the worst load " : "",
+  return fmt::format("{}{}{} {}{}", after_worst_loss(found.lost, found.sudden),
+                     found.uncertain ? " and under the worst load" : "",
+                     found.struts ? ", even with all struts at full strength," : "",
                      value < 0 ? "it carries its dead load only at load factors up to "
                                : "the limit load factor is at most ",
                      support::rounded_up(value)) +

@@ -371,7 +371,7 @@ struct MemberLoss {
               "after the worst loss known the dead load is carried at no factor of either sign; "
               "null: it is"),
         field("lost", &MemberLoss::lost,
-              "members of the worst loss known; empty: no loss lowers the factor"),
+              "members of the worst loss known; empty: no loss is known that lowers the factor"),
         field("target", &MemberLoss::target,
               "the required factor; null: the least one was requested"),
         field("reached", &MemberLoss::reached, "the target remains after each loss; null: open"),

@@ -306,6 +306,8 @@ Command limit() {
   as_printed.if_big_m = true;
   auto struts = uncertain(proved(-1.1, -1), proved(0.4, 1.2));
   struts.struts = true;
+  auto buckled = struts;
+  buckled.minimum.upper = buckled.maximum.lower = std::nullopt;
   auto actions = uncertain(proved(-1.1, -1), proved(1.4, 1.4000001));
   actions.reference_action = "snow";
   actions.cases = 2;
@@ -327,10 +329,13 @@ Command limit() {
            {"no factor for all loads", {.answer = uncertain(proved(1.5, 1.5), proved(0.5, 0.5))}},
            {"combinations of actions in two load cases", {.answer = actions}},
            {"struts", {.answer = struts}},
+           {"struts, of which no carried factor is known", stopped(buckled)},
            {"the program (29) as printed", {.answer = as_printed}},
            {"stopped without a nominal factor", stopped(LoadInterval())},
            {"stopped with bounds of the worst case",
             stopped(uncertain(proved(-2.7, -2.6), proved(1.8, 2.7)))},
+           {"stopped with an upper bound of the worst case",
+            stopped(uncertain({}, {std::nullopt, computed(2.7)}))},
            {"a worst case of which no upper bound is proved",
             {.answer = uncertain(proved(-2.7, -2.6), {proved(1.8), computed(1.8000001)})}},
            {"`--curve` is not complete", {.answer = part}}}};
@@ -362,7 +367,20 @@ Command limit_lose() {
                                      std::tie(found.target, found.reached) = std::pair(0.8, false);
                                    })}},
        {"a target that is open", {.answer = with([](auto& found) { found.target = 0.7071067; })}},
+       {"struts", {.answer = with([](auto& found) {
+                     found.factor = proved(0.5, 0.7071068);
+                     found.struts = true;
+                   })}},
+       {"struts, with a target that does not remain", {.answer = with([](auto& found) {
+                                                         std::tie(found.target, found.reached,
+                                                                  found.struts) =
+                                                             std::tuple(0.8, false, true);
+                                                       })}},
        {"stopped", stopped(with([](auto& found) { found.factor.lower = {}; }))},
+       {"struts, stopped", stopped(with([](auto& found) {
+          found.factor.lower = {};
+          found.struts = true;
+        }))},
        {"stopped before the first", stopped(MemberLoss())}}};
 }
 

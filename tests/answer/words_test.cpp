@@ -273,12 +273,19 @@ TEST(LoadWords, PassStrutsByTheirResidualStrength) {
   EXPECT_EQ(
       sentence(),
       "It carries every factor from -1 to 0.4 of the reference load, for every dead load "
-      "within ± 40 kN, while no strut falls below its residual strength; 1.2 at full strength "
-      "is an upper value. Open: whether every factor from 0 to 1 is carried.");
+      "within ± 40 kN, while no strut falls below its residual strength; even with all struts at "
+      "full strength no factor above 1.2 is carried. Open: whether every factor from 0 to 1 is "
+      "carried.");
   interval.maximum.upper = bound(0.9);
   EXPECT_THAT(sentence(), HasSubstr("Not passed"));
   interval.maximum = {bound(1.1), bound(1.2)};
   EXPECT_THAT(sentence(), HasSubstr(" Passed"));
+  interval.maximum.lower = std::nullopt;
+  EXPECT_THAT(sentence(),
+              testing::StartsWith("With all struts at their residual strength no load factor was "
+                                  "found that it carries for every dead load within ± 40 kN; even "
+                                  "with all struts at full strength no factor above 1.2 is "
+                                  "carried."));
 }
 
 TEST(LoadWords, SayThatADeadLoadAloneIsNotCarried) {
@@ -318,7 +325,8 @@ TEST(LoadWords, OfSeveralCasesHoldForFactorsThatAllCasesCarry) {
             "It carries 2.9999 times the reference load in each of 2 load cases, but no "
             "more than 3.0001 times.");
   EXPECT_EQ(sentence({}, both(3)),
-            "No load factor was found at which it carries its dead load in each of 2 load cases.");
+            "No load factor was found at which it carries its dead load in each of 2 load cases; "
+            "no factor above 3 is carried (computed, not proved).");
 }
 
 TEST(LoadWords, CallADeadLoadWithoutUncertaintyByItsName) {
@@ -337,6 +345,12 @@ TEST(LossWords, NameTheMembersThatAreKept) {
   loss.struts = true;
   EXPECT_THAT(headline({.answer = loss}),
               HasSubstr("while no strut falls below its residual strength"));
+  loss.factor = {{}, Bound{3, Standing::proved}};
+  loss.lost = {"a-c"};
+  EXPECT_EQ(
+      headline({.answer = loss}),
+      "After the loss of a-c, even with all struts at full strength, the limit load factor is "
+      "at most 3.");
 }
 
 TEST(HoldingWords, ExcludeNoFactorOfABracket) {
