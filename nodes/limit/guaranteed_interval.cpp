@@ -74,22 +74,17 @@ std::optional<Standing> at_no_factor(const LimitAnswer& answer) {
 
 GuaranteedInterval guaranteed_interval(const LimitAnswer& answer) {
   GuaranteedInterval interval;
-  if (!answer.worst) {
-    interval.at_none = nominal_at_none(answer);
-    return interval;
-  }
+  interval.at_none = nominal_at_none(answer);
   for (const auto* const worst : {&answer.worst, &answer.reversed}) {
     if (*worst && (*worst)->status == RootStatus::not_carried)
       interval.at_none = either(interval.at_none, (*worst)->standing);
   }
   if (interval.at_none) return interval;
-  interval.largest = answer.worst->ends;
-  if (answer.reversed) {
-    interval.minimum = answer.reversed->ends.negative();
-  } else {
-    // The nominal load is admissible.
-    interval.minimum.lower = answer.nominal_factors.minimum.lower;
-  }
+  if (answer.worst) interval.largest = answer.worst->ends;
+  if (answer.reversed) interval.minimum = answer.reversed->ends.negative();
+  // The nominal load is admissible.
+  if (!interval.largest.upper) interval.largest.upper = answer.nominal_factors.largest.upper;
+  if (!interval.minimum.lower) interval.minimum.lower = answer.nominal_factors.minimum.lower;
   return interval;
 }
 

@@ -32,12 +32,13 @@ struct GuaranteedInterval {
 /// factor; nothing: none is known to have none.
 std::optional<support::Standing> at_no_factor(const LimitAnswer& answer);
 
-/// @pre answer.worst, or the nominal load has no factor
+/// That of the worst case. Where its search ended without a bound, the nominal load bounds it from
+/// outside.
 GuaranteedInterval guaranteed_interval(const LimitAnswer& answer);
 
 /// The same for a truss with struts: the factors at residual strength are carried, and those beyond
 /// the interval at full strength are not. @param residual the answer at residual strength; nothing:
-/// no member is a strut @pre as above
+/// no member is a strut
 GuaranteedInterval guaranteed_interval(const LimitAnswer& answer,
                                        const std::optional<LimitAnswer>& residual);
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,14 +21,21 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// Factor by which cases are compared; infinity: unknown.
-double min_factor(const LimitCase& each) {
-  const auto& answer = each.found.answer;
-  constexpr double none = -std::numeric_limits<double>::infinity();
-  if (const auto& loss = each.found.loss) return loss->fatal ? none : loss->ends.at_most();
-  if (limit::at_no_factor(answer)) return none;
-  if (answer.worst) return answer.worst->ends.at_most();
-  return answer.nominal ? answer.nominal->factor : std::numeric_limits<double>::infinity();
+// Existence of carried factors in a case, which cases are compared by first.
+enum class Carried { none, none_after_a_loss, some };
+
+// Rank of a case, the least first; infinity: the factor is unknown. A search that was stopped before
+// it found an upper bound leaves that of the nominal load without any loss.
+std::pair<Carried, double> rank(const LimitCase& each) {
+  const auto& [answer, loss] = std::tie(each.found.answer, each.found.loss);
+  if (limit::at_no_factor(answer)) return {Carried::none, 0};
+  if (loss && loss->fatal) return {Carried::none_after_a_loss, 0};
+  const auto upper = loss           ? loss->ends.upper
+                     : answer.worst ? answer.worst->ends.upper
+                                    : std::nullopt;
+  if (upper) return {Carried::some, upper->value};
+  return {Carried::some,
+          answer.nominal ? answer.nominal->factor : std::numeric_limits<double>::infinity()};
 }
 
 const char* state_of(const limit::LimitFindings& found) {
@@ -36,7 +44,7 @@ const char* state_of(const limit::LimitFindings& found) {
 }
 
 // The results of one case in a line, and the critical combination of its actions in another.
-std::string found_text(const LimitCase& each) {
+std::string found_text(const LimitCase& each, bool with_losses) {
   const auto& found = each.found;
   const auto& answer = found.answer;
   if (const auto standing = limit::at_no_factor(answer))
@@ -46,14 +54,15 @@ std::string found_text(const LimitCase& each) {
   if (!has_ranges(each.truss))
     parts.push_back("nominal " + factor_text(answer.nominal_factors.largest));
   if (answer.worst) parts.push_back("worst case " + factor_text(answer.worst->ends));
-  if (!found.loss && !answer.whole()) parts.emplace_back("open");
-  if (const auto& loss = found.loss) {
+  if (!with_losses && !answer.whole()) parts.emplace_back("open");
+  if (const auto& loss = found.loss; with_losses) {
     parts.push_back(
-        loss->fatal ? fmt::format("no factor after a loss, {}", answer::standing_word(*loss->fatal))
-                    : "after a loss " + factor_text(loss->ends));
+        loss && loss->fatal
+            ? fmt::format("no factor after a loss, {}", answer::standing_word(*loss->fatal))
+            : "after a loss " + factor_text(loss ? loss->ends : support::Bracket{}));
   }
   auto text = fmt::format("{}", fmt::join(parts, ", "));
-  if (each.found.loss) return text;
+  if (with_losses) return text;
   const auto combination = combination_text(each.truss, each.problem,
                                             answer.worst ? answer.worst->zeta : Eigen::VectorXd());
   return combination.empty() ? text : fmt::format("{}\n    {}", text, combination);
@@ -62,7 +71,7 @@ std::string found_text(const LimitCase& each) {
 }  // namespace
 
 const LimitCase& governing(std::span<const LimitCase> cases) {
-  return *std::ranges::min_element(cases, {}, min_factor);
+  return *std::ranges::min_element(cases, {}, rank);
 }
 
 bool all_whole(std::span<const LimitCase> cases) {
@@ -74,9 +83,11 @@ bool has_ranges(const problems::Structure& truss) {
       truss.actions, [](const auto& each) { return !each.reference && each.lower != each.upper; });
 }
 
-bool with_worst_case(std::span<const LimitCase> cases) {
-  return std::ranges::any_of(cases,
-                             [](const auto& each) { return each.found.answer.worst.has_value(); });
+bool of_all_loads(std::span<const LimitCase> cases, const limit::LimitParameters& parameters) {
+  const auto has = [&](auto what) { return std::ranges::any_of(cases, what); };
+  if (has([](const auto& each) { return each.found.answer.worst.has_value(); })) return true;
+  return parameters.alpha && !parameters.loss &&
+         !has([](const auto& each) { return limit::at_no_factor(each.found.answer).has_value(); });
 }
 
 bool with_struts(std::span<const LimitCase> cases) {
@@ -127,14 +138,13 @@ std::vector<verify::LossStatement> all_loss_statements(std::span<const LimitCase
   return all;
 }
 
-limit::GuaranteedInterval interval_of_all(std::span<const LimitCase> cases) {
-  const bool worst = with_worst_case(cases);
+limit::GuaranteedInterval interval_of_all(std::span<const LimitCase> cases, bool all_loads) {
   std::vector<limit::GuaranteedInterval> intervals;
   intervals.reserve(cases.size());
   for (const auto& each : cases) {
     const auto& [answer, residual] = std::tie(each.found.answer, each.found.residual);
-    intervals.push_back(worst ? guaranteed_interval(answer, residual)
-                              : nominal_interval(answer, residual));
+    intervals.push_back(all_loads ? guaranteed_interval(answer, residual)
+                                  : nominal_interval(answer, residual));
   }
   return intersection(intervals);
 }
@@ -152,15 +162,19 @@ std::string loads_text(std::span<const LimitCase> cases, std::optional<double> a
                                                                : " under the dead load";
 }
 
-std::string cases_text(std::span<const LimitCase> cases, std::optional<double> alpha) {
+std::string cases_text(std::span<const LimitCase> cases, const limit::LimitParameters& parameters) {
   std::string text =
       fmt::format("{} load cases{}\n", cases.size(), with_struts(cases) ? upper_values : "");
   const auto out = std::back_inserter(text);
-  for (const auto& each : cases) fmt::format_to(out, "  {}: {}\n", each.name, found_text(each));
-  const auto interval = interval_of_all(cases);
-  if (!cases.front().found.loss) {
-    fmt::format_to(out, "in all cases: {}\n", interval_text(interval, loads_text(cases, alpha)));
-    if (with_worst_case(cases)) fmt::format_to(out, "  {}\n", passed_text(interval));
+  const bool with_losses = parameters.loss.has_value();
+  for (const auto& each : cases)
+    fmt::format_to(out, "  {}: {}\n", each.name, found_text(each, with_losses));
+  if (!with_losses) {
+    const bool all_loads = of_all_loads(cases, parameters);
+    const auto interval = interval_of_all(cases, all_loads);
+    const auto loads = loads_text(cases, all_loads ? parameters.alpha : std::nullopt);
+    fmt::format_to(out, "in all cases: {}\n", interval_text(interval, loads));
+    if (all_loads) fmt::format_to(out, "  {}\n", passed_text(interval));
   }
   fmt::format_to(
       out, "{} {}\n\nload case {}\n",

@@ -10,6 +10,7 @@
 
 #include "nodes/limit/guaranteed_interval.hpp"
 #include "nodes/limit/limit_loads.hpp"
+#include "nodes/limit/model/limit_parameters.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/structure.hpp"
 #include "verify/limit/limit_certificate.hpp"
@@ -25,7 +26,8 @@ struct LimitCase {
   limit::LimitFindings found{};
 };
 
-/// The case with the least known load factor, worst or nominal; the first of equal ones.
+/// The case with the least known load factor, worst or nominal: before all others one whose load is
+/// carried at no factor, then one of which a loss leaves none; the first of equal ones.
 /// @pre there is one
 const LimitCase& governing(std::span<const LimitCase> cases);
 
@@ -39,8 +41,9 @@ inline constexpr const char* upper_values = ", all struts at their strength: upp
 /// nominal load has no meaning of its own.
 bool has_ranges(const problems::Structure& truss);
 
-/// True if some case has a worst case.
-bool with_worst_case(std::span<const LimitCase> cases);
+/// True if the load factors of the answer are those carried under every admissible load: a worst
+/// case was requested, and some case has one, or no nominal load is carried at no factor.
+bool of_all_loads(std::span<const LimitCase> cases, const limit::LimitParameters& parameters);
 
 /// True if some members are struts: their results at residual strength are lower values.
 bool with_struts(std::span<const LimitCase> cases);
@@ -58,15 +61,15 @@ bool have_loss_statements(std::span<const LimitCase> cases);
 /// @pre have_loss_statements()
 std::vector<verify::LossStatement> all_loss_statements(std::span<const LimitCase> cases);
 
-/// Load factors carried in all cases: under every admissible load if some case has a worst case,
-/// otherwise under the nominal ones.
-limit::GuaranteedInterval interval_of_all(std::span<const LimitCase> cases);
+/// Load factors carried in all cases. @param all_loads under every admissible load; otherwise under
+/// the nominal ones
+limit::GuaranteedInterval interval_of_all(std::span<const LimitCase> cases, bool all_loads);
 
 /// The loads of a statement on all cases: " under all admissible loads". @param alpha of the search
 std::string loads_text(std::span<const LimitCase> cases, std::optional<double> alpha);
 
-/// One row per case, and the governing case. @param alpha of the search
-std::string cases_text(std::span<const LimitCase> cases, std::optional<double> alpha);
+/// One row per case, and the governing case.
+std::string cases_text(std::span<const LimitCase> cases, const limit::LimitParameters& parameters);
 
 /// The key `cases` of a result.
 nlohmann::ordered_json cases_json(std::span<const LimitCase> cases);

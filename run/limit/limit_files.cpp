@@ -377,10 +377,13 @@ void draw_collapses(OutputFolder& folder, const LimitReport& report) {
   }
   if (answer.worst && answer.worst->collapse) {
     const auto& collapse = *answer.worst->collapse;
-    series.add("worst-case.vtu",
-               collapse_grid(
-                   truss, problem, collapse, problems::dead_load(problem, answer.worst->zeta),
-                   fmt::format("collapse in the worst case, at load factor {}", collapse.factor)));
+    series.add(
+        "worst-case.vtu",
+        collapse_grid(
+            truss, problem, collapse, problems::dead_load(problem, answer.worst->zeta),
+            fmt::format("collapse {}, at load factor {}",
+                        answer.worst->proved() ? "in the worst case" : "under the worst load known",
+                        collapse.factor)));
   }
   series.finish("limit.pvd", problem.name);
 }

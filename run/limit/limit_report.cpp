@@ -18,8 +18,12 @@ namespace {
 using limit::RootStatus;
 using problems::LimitProblem;
 
-/// Addition to the name of a factor of a truss with struts.
-constexpr const char* upper_value = ", all struts at their strength: an upper value";
+// Addition to the name of a factor of a truss with struts. @param known its upper bound is
+const char* strength_text(const LimitReport& report, bool known) {
+  if (!report.residual) return "";
+  return known ? ", all struts at their strength: an upper value"
+               : ", all struts at their strength";
+}
 
 void write_mode(std::string& text, const LimitProblem& problem,
                 const limit::LimitCollapse& collapse) {
@@ -46,7 +50,7 @@ void write_nominal(std::string& text, const LimitReport& report) {
                  has_ranges(report.truss)
                      ? "with all factors of actions in the middle of their ranges: load factor"
                      : "nominal load factor",
-                 factor_text(largest), report.residual ? upper_value : "");
+                 factor_text(largest), strength_text(report, largest.upper.has_value()));
   write_zero(text, "the dead load", largest.at_most());
   if (minimum.at_least() > 0 && minimum.at_most() <= largest.at_least()) {
     const auto [low, high] =
@@ -142,7 +146,8 @@ void write_worst(std::string& text, const LimitReport& report) {
   const auto& problem = report.problem;
   const auto& worst = *report.answer.worst;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "\n{}{}\n", heading_of_worst(report), report.residual ? upper_value : "");
+  fmt::format_to(out, "\n{}{}\n", heading_of_worst(report),
+                 strength_text(report, worst.ends.upper.has_value()));
   write_along(text, report);
   const char* const some_load =
       report.truss.actions.empty() ? "admissible dead load" : "combination of actions";
@@ -185,7 +190,7 @@ std::string no_nominal(const limit::LimitAnswer& found) {
 }  // namespace
 
 std::string LimitReport::table(const Page& page) const {
-  std::string text = cases.size() > 1 ? cases_text(cases, options.parameters.alpha) : std::string();
+  std::string text = cases.size() > 1 ? cases_text(cases, options.parameters) : std::string();
   if (!answer.nominal) return text + page.warning(no_nominal(answer));
   const auto out = std::back_inserter(text);
   write_nominal(text, *this);

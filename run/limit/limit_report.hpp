@@ -125,9 +125,11 @@ std::vector<std::string> names_of(const problems::LimitProblem& problem,
 nlohmann::ordered_json loss_json(const problems::LimitProblem& problem,
                                  const problems::Structure& truss, const limit::LossAnswer& loss);
 
-/// Of the load case in which the least factor remains. @param kept members that are not lost
-/// @pre every case has an answer
-answer::MemberLoss member_loss(std::span<const LimitCase> cases, const std::vector<int>& kept);
+/// Of the load case in which the least known factor remains. What the search of a case left open
+/// before it had an answer, the nominal load bounds from above: no loss raises the factor.
+/// @pre parameters.loss, and no case is carried at no factor without a loss
+answer::MemberLoss member_loss(std::span<const LimitCase> cases,
+                               const limit::LimitParameters& parameters);
 
 /// Lines of the table. @pre report.residual
 std::string strut_text(const LimitReport& report);
@@ -136,7 +138,7 @@ std::string strut_text(const LimitReport& report);
 nlohmann::ordered_json strut_json(const LimitReport& report);
 
 /// "With all struts at their residual strength no load factor is carried.", if that is so in some
-/// case; empty otherwise, and if some case is carried at no factor at full strength either.
+/// case; empty otherwise, and if that is so at full strength in some case.
 std::string strut_sentence(std::span<const LimitCase> cases);
 
 /// Lines on the bounds of (29).

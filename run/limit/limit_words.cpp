@@ -184,10 +184,10 @@ std::string reference_action(const problems::Structure& truss) {
   return found == truss.actions.end() ? std::string() : found->action;
 }
 
-// Load factors of one case: under every admissible load if some case has a worst case.
-limit::GuaranteedInterval interval_of(const LimitCase& each, bool worst) {
-  return worst ? guaranteed_interval(each.found.answer, each.found.residual)
-               : nominal_interval(each.found.answer, each.found.residual);
+// Load factors of one case, as of all of them.
+limit::GuaranteedInterval interval_of(const LimitCase& each, bool all_loads) {
+  return all_loads ? guaranteed_interval(each.found.answer, each.found.residual)
+                   : nominal_interval(each.found.answer, each.found.residual);
 }
 
 // The load cases of which a statement holds.
@@ -210,23 +210,25 @@ std::string critical_combination(const LimitCase& each) {
 }
 
 // The load cases in which the carried factors of all cases begin and end.
-std::string cases_at_ends(std::span<const LimitCase> cases, const answer::LoadInterval& interval) {
+std::string cases_at_ends(std::span<const LimitCase> cases, const answer::LoadInterval& interval,
+                          bool all_loads) {
   if (cases.size() < 2) {
     const auto combination = critical_combination(cases.front());
     if (combination.empty() || interval.carried_at_none) return {};
     return fmt::format("Critical combination{}: {}.", all_whole(cases) ? "" : " known",
                        combination);
   }
-  const bool worst = with_worst_case(cases);
   if (interval.carried_at_none) {
     return cases_named(
-        cases, [&](const auto& each) { return interval_of(each, worst).at_none.has_value(); });
+        cases, [&](const auto& each) { return interval_of(each, all_loads).at_none.has_value(); });
   }
   const auto& [from, to] = std::tie(interval.minimum, interval.maximum);
   if (!from.lower || !to.upper) return {};
-  const auto lower = [&](const auto& each) { return interval_of(each, worst).minimum.at_least(); };
+  const auto lower = [&](const auto& each) {
+    return interval_of(each, all_loads).minimum.at_least();
+  };
   const auto upper = [&](const auto& each) {
-    const auto largest = interval_of(each, worst).largest;
+    const auto largest = interval_of(each, all_loads).largest;
     return interval.struts ? largest.at_least() : largest.at_most();
   };
   const auto& begins = *std::ranges::max_element(cases, {}, lower);
@@ -245,16 +247,18 @@ std::string cases_at_ends(std::span<const LimitCase> cases, const answer::LoadIn
         support::rounded_down(from.lower->value), answer::unless_proved(from.lower->standing),
         ends.name, support::rounded_up(to.upper->value), answer::unless_proved(to.upper->standing));
   }
+  if (interval.struts && !to.lower) return {};
   const auto combination = critical_combination(ends);
   return fmt::format("The least {}of the largest factors is that of load case {}{}{}.",
                      all_whole(cases) ? "" : "known ", ends.name, combination.empty() ? "" : ": ",
                      combination);
 }
 
-answer::LoadInterval load_interval(const LimitOptions& options, std::span<const LimitCase> cases) {
-  const auto found = interval_of_all(cases);
+answer::LoadInterval load_interval(const LimitOptions& options, std::span<const LimitCase> cases,
+                                   bool all_loads) {
+  const auto found = interval_of_all(cases, all_loads);
   answer::LoadInterval interval{.cases = cases.size(), .struts = with_struts(cases)};
-  if (with_worst_case(cases)) interval.uncertain = load_range(options, cases);
+  if (all_loads) interval.uncertain = load_range(options, cases);
   interval.reference_action = reference_action(*cases.front().truss);
   interval.carried_at_none = found.at_none;
   if (found.at_none) return interval;
@@ -283,39 +287,37 @@ answer::Verdict limit_verdict(const LimitOptions& options, std::span<const Limit
     if (auto text = yielding_sentence(governs.problem, collapse, when, lost); !text.empty())
       verdict.details.push_back(std::move(text));
   };
-  auto interval = load_interval(options, cases);
+  const bool all_loads = of_all_loads(cases, options.parameters);
+  auto interval = load_interval(options, cases, all_loads);
   if (answer.worst) {
     const auto& worst = *answer.worst;
     if (worst.collapse && worst.status != limit::RootStatus::not_carried)
       yields(*worst.collapse, worst.proved() ? "In the worst case" : "Under the worst load known");
   } else if (answer.nominal) {
-    yields(*answer.nominal, cases.size() > 1 ? "At the least of the largest factors" : "Then");
+    yields(*answer.nominal, all_loads          ? "Under the nominal load"
+                            : cases.size() < 2 ? "Then"
+                            : all_whole(cases) ? "At the least of the largest factors"
+                                               : "At the least known of the largest factors");
   }
   interval.incomplete = !all_whole(cases);
-  if (auto text = cases_at_ends(cases, interval); !text.empty() && !options.parameters.loss)
+  if (auto text = cases_at_ends(cases, interval, all_loads);
+      !text.empty() && (!options.parameters.loss || interval.carried_at_none))
     verdict.details.insert(verdict.details.begin(), std::move(text));
   verdict.answer = interval;
-  const bool of_losses =
-      std::ranges::all_of(cases, [](const auto& each) { return each.found.loss.has_value(); });
-  if (of_losses) {
+  if (options.parameters.loss && !interval.carried_at_none) {
     verdict.details.clear();
-    const auto& loss = *governs.found.loss;
-    if (cases.size() > 1 && !loss.lost.empty()) {
-      verdict.details.push_back(
-          loss.fatal
-              ? cases_named(cases,
-                            [](const auto& each) { return each.found.loss->fatal.has_value(); })
-              : fmt::format("The least factor {}is that of load case {}.",
-                            all_whole(cases) ? "" : "known ", governs.name));
+    auto of_loss = member_loss(cases, options.parameters);
+    const auto& loss = governs.found.loss;
+    if (cases.size() > 1 && of_loss.fatal) {
+      verdict.details.push_back(cases_named(cases, [](const auto& each) {
+        return each.found.loss && each.found.loss->fatal.has_value();
+      }));
+    } else if (cases.size() > 1 && of_loss.factor.upper && (!loss || !loss->lost.empty())) {
+      verdict.details.push_back(fmt::format("The least factor {}is that of load case {}.",
+                                            all_whole(cases) ? "" : "known ", governs.name));
     }
-    if (loss.collapse) yields(*loss.collapse, "Then", loss.lost);
-    verdict.answer = member_loss(cases, options.parameters.loss->kept);
-  } else if (options.parameters.loss && !interval.carried_at_none) {
-    verdict.details.clear();
-    const auto& loss = *options.parameters.loss;
-    verdict.answer = answer::MemberLoss{.maximum = static_cast<std::uint64_t>(loss.maximum),
-                                        .cases = cases.size(),
-                                        .struts = struts};
+    if (loss && loss->collapse) yields(*loss->collapse, "Then", loss->lost);
+    verdict.answer = std::move(of_loss);
   }
   if (auto text = strut_sentence(cases); !text.empty()) verdict.details.push_back(std::move(text));
   return verdict;

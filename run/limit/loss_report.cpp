@@ -217,31 +217,47 @@ ordered_json loss_json(const LimitProblem& problem, const problems::Structure& t
   return json;
 }
 
-answer::MemberLoss member_loss(std::span<const LimitCase> cases, const std::vector<int>& kept) {
+namespace {
+
+// The bounds of the factor after a loss in one case. @param loss of this case at some strength
+support::Bracket factor_after_loss(const LimitCase& each, const std::optional<LossAnswer>& loss) {
+  auto ends = loss ? loss->ends : support::Bracket{};
+  if (!ends.upper) ends.upper = each.found.answer.nominal_factors.largest.upper;
+  return ends;
+}
+
+}  // namespace
+
+answer::MemberLoss member_loss(std::span<const LimitCase> cases,
+                               const limit::LimitParameters& parameters) {
+  const auto& asked = *parameters.loss;
   const auto& governs = governing(cases);
-  const auto& worst = *governs.found.loss;
-  answer::MemberLoss answer{.maximum = static_cast<std::uint64_t>(worst.maximum),
+  answer::MemberLoss answer{.maximum = static_cast<std::uint64_t>(asked.maximum),
                             .cases = cases.size(),
-                            .uncertain = worst.uncertain};
-  answer.lost = names_of(governs.problem, worst.lost);
-  answer.target = worst.target;
-  answer.kept = names_of(governs.problem, kept);
+                            .uncertain = parameters.alpha.value_or(0) > 0};
+  answer.target = asked.at_least;
+  answer.kept = names_of(governs.problem, asked.kept);
   answer.struts = with_struts(cases);
-  answer.sudden = worst.sudden;
-  answer.fatal = worst.fatal;
-  if (worst.fatal) {
-    if (worst.target && is_proved(*worst.fatal)) answer.reached = false;
+  answer.sudden = asked.sudden;
+  if (const auto& worst = governs.found.loss) {
+    answer.lost = names_of(governs.problem, worst->lost);
+    answer.fatal = worst->fatal;
+  }
+  if (answer.fatal) {
+    if (answer.target && is_proved(*answer.fatal)) answer.reached = false;
     return answer;
   }
-  answer.factor.upper = worst.ends.upper;
+  answer.factor.upper = factor_after_loss(governs, governs.found.loss).upper;
   std::optional<support::Bound> lower;
   bool known = true;
   bool reached = true;
   bool missed = false;
   for (const auto& each : cases) {
-    const auto& loss = *each.found.loss;
-    missed = missed || !loss.reaches_target.value_or(true);
-    const auto& carried = answer.struts ? each.found.residual_loss : each.found.loss;
+    const auto& loss = each.found.loss;
+    const auto ends = factor_after_loss(each, loss);
+    missed = missed || (loss && !loss->reaches_target.value_or(true)) ||
+             (answer.target && is_proved(ends.upper) && ends.at_most() < *answer.target);
+    const auto& carried = answer.struts ? each.found.residual_loss : loss;
     reached = reached && carried && carried->reaches_target.value_or(false);
     known = known && carried && carried->ends.lower;
     if (!known) continue;
@@ -251,7 +267,7 @@ answer::MemberLoss member_loss(std::span<const LimitCase> cases, const std::vect
                   : bound;
   }
   if (known) answer.factor.lower = lower;
-  if (worst.target && (reached || missed)) answer.reached = reached;
+  if (answer.target && (reached || missed)) answer.reached = reached;
   return answer;
 }
 

@@ -42,20 +42,24 @@ std::vector<std::string> struts_at_strength(const LimitReport& report) {
   return names;
 }
 
-// The factor after the worst loss of members, if that was requested.
-std::string remaining_text(const LimitAnswer& answer,
+// Bounds of the requested factor: after the worst loss of members, in the worst case, or the nominal
+// one. A stopped run may have the nominal factor alone, which is then not the requested one.
+support::Bracket requested(const LimitReport& report, const LimitAnswer& answer,
+                           const std::optional<limit::LossAnswer>& loss) {
+  if (loss) return loss->ends;
+  if (answer.worst) return answer.worst->ends;
+  const auto& parameters = report.options.parameters;
+  return parameters.alpha || parameters.loss ? support::Bracket{} : answer.nominal_factors.largest;
+}
+
+std::string remaining_text(const support::Bracket& ends, const LimitAnswer& answer,
                            const std::optional<limit::LossAnswer>& loss) {
   if (loss && loss->fatal)
     return fmt::format("no load factor after a loss, {}", answer::standing_word(*loss->fatal));
-  if (loss) {
-    return fmt::format("load factor {} after the worst loss", factor_text(loss->ends));
-  }
   if (const auto standing = limit::at_no_factor(answer))
     return fmt::format("no load factor, {}", answer::standing_word(*standing));
-  const auto& worst = answer.worst;
-  if (worst) return "load factor " + factor_text(worst->ends);
-  if (!answer.nominal) return "open";
-  return "load factor " + factor_text(answer.nominal_factors.largest);
+  if (!ends.lower && !ends.upper) return "open";
+  return fmt::format("{}load factor {}", loss ? "after the worst loss " : "", factor_text(ends));
 }
 
 }  // namespace
@@ -63,10 +67,14 @@ std::string remaining_text(const LimitAnswer& answer,
 std::string strut_text(const LimitReport& report) {
   std::string text = "\nstruts, which lose force after they have buckled\n";
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "  all at their strength: {}; an upper value\n",
-                 remaining_text(report.answer, report.loss));
-  fmt::format_to(out, "  all at their residual strength: {}; a lower value\n",
-                 remaining_text(*report.residual, report.residual_loss));
+  const auto full = requested(report, report.answer, report.loss);
+  const auto residual = requested(report, *report.residual, report.residual_loss);
+  fmt::format_to(out, "  all at their strength: {}{}\n",
+                 remaining_text(full, report.answer, report.loss),
+                 full.upper ? "; an upper value" : "");
+  fmt::format_to(out, "  all at their residual strength: {}{}\n",
+                 remaining_text(residual, *report.residual, report.residual_loss),
+                 residual.lower ? "; a lower value" : "");
   if (report.residual->worst) {
     const auto carried = guaranteed_interval(*report.residual);
     if (!carried.has_factors())
@@ -99,7 +107,8 @@ nlohmann::ordered_json strut_json(const LimitReport& report) {
 
 std::string strut_sentence(std::span<const LimitCase> cases) {
   if (std::ranges::any_of(cases, [](const auto& each) {
-        return limit::at_no_factor(each.found.answer).has_value();
+        const auto& loss = each.found.loss;
+        return limit::at_no_factor(each.found.answer) || (loss && loss->fatal);
       }))
     return {};
   constexpr const char* subject = "With all struts at their residual strength no load factor";

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -45,17 +46,17 @@ class LimitSection {
   // "Collapse after the worst loss known, load case b, λ = 0.5".
   [[nodiscard]] std::string heading(const pictures::Scene& scene, bool loss) const {
     const auto* const load_case = ResultReader::find(result_, "case");
-    const bool proved =
-        loss && reader_.text(reader_.at(result_, "member_loss"), "standing") == proved_;
-    return fmt::format("Collapse {} the {}{}{}, {}", loss ? "after" : "under", scene.name,
-                       loss && !proved ? " known" : "",
-                       load_case == nullptr ? "" : ", load case " + load_case->get<std::string>(),
-                       scene.note);
+    const bool found =
+        loss ? reader_.text(reader_.at(result_, "member_loss"), "standing") == proved_
+             : scene.name != worst_case_ || reader_.text(reader_.all(), "status") == "solved";
+    return fmt::format(
+        "Collapse {} the {}{}{}, {}", loss ? "after" : "under", scene.name, found ? "" : " known",
+        load_case == nullptr ? "" : ", load case " + load_case->get<std::string>(), scene.note);
   }
 
   // A large picture with its legend, and the members that yield beside it.
   void collapse(const pictures::Scene& scene) {
-    const bool worst = scene.name == "worst case";
+    const bool worst = scene.name == worst_case_;
     const bool loss = scene.name == "worst loss";
     const std::string id = loss ? "collapse-loss" : worst ? "collapse-worst" : "collapse-nominal";
     const auto& units = reader_.at(problem_, "units");
@@ -122,7 +123,7 @@ class LimitSection {
     const bool nominal = ResultReader::find(result_, "nominal") != nullptr;
     if (load_case == nullptr && !nominal && !worst) return;
     const bool struts = ResultReader::find(result_, "struts") != nullptr;
-    const std::string upper = struts ? ", struts at full strength: an upper value" : "";
+    const std::string upper = struts ? ", if all struts kept their full strength" : "";
     begin_facts(page_, "Factors of the reference load");
     if (load_case != nullptr) add_fact(page_, "load case", reader_.text(result_, "case"));
     if (nominal) nominal_factors(worst, struts, upper);
@@ -391,6 +392,7 @@ class LimitSection {
     page_.close();
   }
 
+  static constexpr std::string_view worst_case_ = "worst case";
   const std::string proved_ = answer::standing_word(support::Standing::proved);
   Markup& page_;
   const ResultReader& reader_;

@@ -259,6 +259,8 @@ class SceneReader {
     const auto* const loss = ResultReader::find(result_, "member_loss");
     if (loss == nullptr) return;
     const auto* const mode = ResultReader::find(*loss, "collapse_mode");
+    // Earlier versions could write a loss in one load case beside an answer about another.
+    if (ResultReader::find(result_, "lost") == nullptr) return;
     const auto lost = reader_.names(result_, "lost");
     if (mode == nullptr || lost.empty() || !is_chosen(all)) return;
     const auto upper = reader_.bound(reader_.at(result_, "factor"), "upper");

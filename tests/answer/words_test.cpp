@@ -281,11 +281,11 @@ TEST(LoadWords, PassStrutsByTheirResidualStrength) {
   interval.maximum = {bound(1.1), bound(1.2)};
   EXPECT_THAT(sentence(), HasSubstr(" Passed"));
   interval.maximum.lower = std::nullopt;
-  EXPECT_THAT(sentence(),
-              testing::StartsWith("With all struts at their residual strength no load factor was "
-                                  "found that it carries for every dead load within ± 40 kN; even "
-                                  "with all struts at full strength no factor above 1.2 is "
-                                  "carried."));
+  EXPECT_THAT(sentence(), ::testing::StartsWith(
+                              "With all struts at their residual strength no load factor was "
+                              "found that it carries for every dead load within ± 40 kN; even "
+                              "with all struts at full strength no factor above 1.2 is "
+                              "carried."));
 }
 
 TEST(LoadWords, SayThatADeadLoadAloneIsNotCarried) {

@@ -68,6 +68,19 @@ TEST(GuaranteedInterval, IsBoundedByTheExaminedLoads) {
   EXPECT_FALSE(is_proved(interval.standing()));
 }
 
+// The search was stopped before the worst case, or before it had an upper bound.
+TEST(GuaranteedInterval, IsBoundedByTheNominalLoad) {
+  LimitAnswer answer;
+  answer.nominal_factors = {bracket(-4, -3.9, true, true), bracket(2.9, 3, true, false)};
+  for (const bool begun : {false, true}) {
+    if (begun) answer.worst.emplace();
+    const auto interval = guaranteed_interval(answer);
+    EXPECT_EQ(interval.minimum, (support::Bracket{answer.nominal_factors.minimum.lower, {}}));
+    EXPECT_EQ(interval.largest, (support::Bracket{{}, answer.nominal_factors.largest.upper}));
+    EXPECT_FALSE(interval.at_none);
+  }
+}
+
 TEST(GuaranteedInterval, OfAllCasesIsTheirIntersection) {
   const GuaranteedInterval first{bracket(-1, -0.9, true, true), bracket(2, 2.1, true, true), {}};
   const GuaranteedInterval second{
