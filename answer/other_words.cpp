@@ -1,4 +1,6 @@
 // Sentences about zero-one programs and certificates.
+#include <limits>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -90,6 +92,10 @@ std::string range_text(const Bracket& range) {
   const auto& [lower, upper] = range;
   if (!lower && !upper) return "all factors";
   constexpr int digits = support::digits_of_table;
+  // All numbers of one sign.
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  if (!lower && upper->value == -least) return "below 0";
+  if (!upper && lower->value == least) return "above 0";
   if (!lower) return fmt::format("up to {}", support::rounded_down(upper->value, digits));
   if (!upper) return fmt::format("from {} on", support::rounded_up(lower->value, digits));
   if (lower->value == upper->value) return fmt::format("{}", lower->value);

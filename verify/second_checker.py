@@ -132,7 +132,7 @@ def null_space(rows, count, relative=0):
 
 # Bounds as decimal numbers that remain bounds, with the digits of Kusabi's sentences ----------------------------------
 
-TABLE_DIGITS, ALL_DIGITS, MAX_PLACES = 12, 17, 15
+TABLE_DIGITS, ALL_DIGITS, MAX_PLACES, LEAST_SHOWN = 12, 17, 15, 1e-300
 
 
 def double(x, way):
@@ -153,6 +153,8 @@ def rounded(x, way, digits=TABLE_DIGITS, places=None):
     """x rounded down (way = -1) or up (1) to so many digits or decimal places; if it is tiny, with a power of ten."""
     number = double(x, way)
     places = places_of(number, digits) if places is None else places
+    if 0 < abs(number) < LEAST_SHOWN:
+        return "0" if way * number < 0 else shortest(way * LEAST_SHOWN)
     if number == 0 or places < 0:
         return shortest(number)
     if places > MAX_PLACES:
@@ -863,9 +865,12 @@ def united(ranges):
 
 def range_text(ends):
     low, high = ends
-    if INFINITE in (-low, high):
-        return "all factors" if -low == high else f"up to {rounded(high, -1)}" if -low == INFINITE else \
-            f"from {rounded(low, 1)} on"
+    if -low == high == INFINITE:
+        return "all factors"
+    if -low == INFINITE:
+        return "below 0" if double(high, -1) == -math.ulp(0) else f"up to {rounded(high, -1)}"
+    if high == INFINITE:
+        return "above 0" if double(low, 1) == math.ulp(0) else f"from {rounded(low, 1)} on"
     return shortest(low) if low == high else "from {} to {}".format(*inside(low, high))
 
 

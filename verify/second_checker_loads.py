@@ -9,9 +9,9 @@ import sys
 from fractions import Fraction
 from typing import NamedTuple
 
-from second_checker import (ALL_DIGITS, INFINITE, NOISE, TABLE_DIGITS, Certificate, Refused, Symmetric, cover_flaw, dot,
-                            double, in_quotes, inside, integer_matrix, places_of, power_near, root_above, rounded,
-                            shortest, to_integers)
+from second_checker import (ALL_DIGITS, INFINITE, LEAST_SHOWN, NOISE, TABLE_DIGITS, Certificate, Refused, Symmetric,
+                            cover_flaw, dot, double, in_quotes, inside, integer_matrix, places_of, power_near,
+                            root_above, rounded, shortest, to_integers)
 
 
 def bracket(lower, upper):
@@ -20,7 +20,7 @@ def bracket(lower, upper):
     for digits in range(TABLE_DIGITS, ALL_DIGITS):
         places = max(places_of(lower, digits), places_of(upper, digits))
         shown = rounded(lower, -1, digits, places), rounded(upper, 1, digits, places)
-        if float(shown[1]) - float(shown[0]) <= 2 * (upper - lower):
+        if float(shown[1]) - float(shown[0]) <= 2 * max(upper - lower, LEAST_SHOWN):
             return shown
     return shortest(lower), shortest(upper)
 

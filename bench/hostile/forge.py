@@ -409,7 +409,7 @@ def _ranges(verb, sentence):
     found = re.search(rf"it {verb} hold(?: these factors of the reference load)?: ([^;]+)", sentence)
     for part in found.group(1).split(", ") if found else ["0"] if f"it {verb} hold the dead load" in sentence else ():
         ends = [float(end) for end in re.findall(r"-?\d\S*", part)] or [math.inf]
-        yield (-math.inf if part.startswith(("up to", "all")) else ends[0]), (math.inf if part.endswith(" on") else ends[-1])
+        yield (-math.inf if part.startswith(("up to", "below", "all")) else ends[0]), (math.inf if part.endswith(" on") or part.startswith("above") else ends[-1])
 
 
 class Judge:

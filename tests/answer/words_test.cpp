@@ -385,6 +385,15 @@ TEST(LossWords, OfVerifyNameTheLoadCase) {
               HasSubstr("PROVED: in load case \"wind\", after the loss of any member"));
 }
 
+TEST(HoldingWords, OfVerifyNameASignOfFactors) {
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  const auto end = [](double value) { return Bound{value, Standing::proved}; };
+  const CertificateCheck check{.claim = CertificateCheck::Held{
+                                   .friction = 0.5, .none = {{{}, end(-least)}, {end(least), {}}}}};
+  EXPECT_EQ(headline({.answer = check}),
+            "PROVED: at friction coefficient 0.5, it cannot hold: below 0, above 0");
+}
+
 TEST(LoadWords, ReportAnEmptyInterval) {
   const LoadInterval empty{.uncertain = LoadRange{2.5, "kN"},
                            .minimum = Bracket::proved(1.5, 1.5),

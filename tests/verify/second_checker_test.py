@@ -126,7 +126,7 @@ class SecondChecker(KusabiCase):
         self.assertNotIn('"dead"', text)
         file = self.problem(text)
         (path,) = self.certificates("hold", file, "--mu", 0.4)
-        self.assertIn("it can hold these factors of the reference load: 0; it cannot hold: up to -",
+        self.assertIn("it can hold these factors of the reference load: 0; it cannot hold: below 0, above 0",
                       conclusion(self.check_same(path, file).stdout))
 
     def test_what_the_claim_is_about(self):
