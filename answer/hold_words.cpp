@@ -32,7 +32,11 @@ std::string part(const HoldingFactors::Interval& each) {
     return fmt::format("up to {}{}", support::rounded_down(each.high()), standing);
   if (std::isinf(each.high()))
     return fmt::format("from {} on{}", support::rounded_up(each.low()), standing);
-  if (each.low() == each.high()) return fmt::format("{:.6g}{}", each.low(), standing);
+  if (each.low() == each.high()) {
+    const auto shown = fmt::format("{:.6g}", each.low());
+    const bool all = shown == fmt::format("{}", each.low());
+    return (all ? "" : "about ") + shown + standing;
+  }
   const auto [low, high] = support::inside(each.low(), each.high());
   return fmt::format("from {} to {}{}", low, high, standing);
 }
@@ -86,6 +90,15 @@ std::string factors_at(const HoldingFactors& found) {
 }
 
 }  // namespace
+
+const char* interval_standing_word(Standing states, Standing beyond) {
+  return states == Standing::proved && beyond == Standing::computed ? "states proved"
+                                                                    : standing_word(states);
+}
+
+std::string none_standing_words(const std::optional<Standing>& none) {
+  return none ? fmt::format("none, {}", standing_word(*none)) : "not known";
+}
 
 std::string headline_of(const HoldingBracket& found, engine::Status ended) {
   if (found.reason == HoldReason::supports) return held_by_supports;

@@ -21,6 +21,11 @@ std::string next_step(bool of_patterns);
 
 /// "proved" or "computed": for cells of tables, and in result files.
 const char* standing_word(Standing standing);
+/// Of an interval of load factors that are held: "states proved" if it is not proved that no other
+/// factor is held up to the next interval.
+const char* interval_standing_word(Standing states, Standing beyond);
+/// Of the answer that no factor is held: "none, proved"; absent: "not known".
+std::string none_standing_words(const std::optional<Standing>& none);
 
 /// Suffix of a clause: empty if proved, otherwise " (computed, not proved)".
 const char* unless_proved(Standing standing);
@@ -56,6 +61,9 @@ inline constexpr const char* no_grip_range =
 inline constexpr const char* no_proved_upper_bound =
     "No certificate of the upper bound was written, since it is computed, not proved.";
 inline constexpr const char* nothing_is_proved = "it would contain no proof";
+inline constexpr const char* stiffness_is_not_enclosed =
+    "the stiffness matrix cannot be enclosed for its proofs: the structure is too large, or its "
+    "numbers differ too much in size";
 inline constexpr const char* not_all_is_proved = "not all bounds are proved";
 inline constexpr const char* ended_before_the_proof =
     "the search stopped before both bounds were proved";

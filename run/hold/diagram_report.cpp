@@ -1,6 +1,9 @@
 // Tables of the pieces of a diagram, and of intervals.
+#include <cmath>
 #include <iterator>
+#include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
@@ -21,12 +24,6 @@ ordered_json points_json(const Points& points) {
   return list;
 }
 
-// Standing of the answer that no factor is held.
-std::string none(const HeldPoint& point) {
-  if (point.factors.unresolved) return "not known";
-  return fmt::format("none, {}", answer::standing_word(point.factors.outside));
-}
-
 // With several coefficients the first column is theirs, and one without intervals has a row.
 void write_intervals(CsvWriter& csv, const wedged::LoadedProblem& loaded,
                      const std::vector<HeldPoint>& points, bool several) {
@@ -37,19 +34,39 @@ void write_intervals(CsvWriter& csv, const wedged::LoadedProblem& loaded,
     for (const auto& each : point.factors.intervals) {
       if (several) csv.number(point.mu);
       csv.count(++number).number(each.low).number(each.high);
-      const auto outside = both(each.low_out.standing, each.high_out.standing);
-      csv.word(answer::standing_word(both(each.standing, outside)));
+      csv.word(standing_of(each));
       if (each.pattern)
         csv.text(contact_of(loaded, each.block, each.pattern)).end_row();
       else
         csv.nothing().end_row();
     }
     if (several && number == 0)
-      csv.number(point.mu).nothing().nothing().nothing().text(none(point)).nothing().end_row();
+      csv.number(point.mu)
+          .nothing()
+          .nothing()
+          .nothing()
+          .text(standing_of_none(point))
+          .nothing()
+          .end_row();
   }
 }
 
 }  // namespace
+
+const char* standing_of(const wedged::HeldInterval& interval) {
+  const auto beyond = [](double held, const support::Bound& out) {
+    if (std::isinf(held)) return support::Standing::proved;
+    return std::isfinite(out.value) ? out.standing : support::Standing::computed;
+  };
+  return answer::interval_standing_word(
+      interval.standing,
+      both(beyond(interval.low, interval.low_out), beyond(interval.high, interval.high_out)));
+}
+
+std::string standing_of_none(const HeldPoint& point) {
+  const auto& [unresolved, outside] = std::tie(point.factors.unresolved, point.factors.outside);
+  return answer::none_standing_words(unresolved ? std::nullopt : std::optional(outside));
+}
 
 ordered_json diagram_pieces(const wedged::LoadedProblem& loaded, const wedged::Diagram& diagram) {
   auto pieces = ordered_json::array();
@@ -68,10 +85,10 @@ std::string diagram_table(const wedged::LoadedProblem& loaded, const wedged::Dia
                           "in contact (U); others separated (R)");
   std::size_t number = 0;
   for (const auto& piece : diagram.pieces) {
-    fmt::format_to(std::back_inserter(text), "{:>5}  {:>8}  {:>10}  {}\n", ++number,
+    fmt::format_to(std::back_inserter(text), "{:>5}  {:>8}  {:>10}  {}{}\n", ++number,
                    piece.hull.vertices.size(),
                    piece.is_whole_plane ? "all" : fmt::format("{}", piece.hull.rays.size()),
-                   contact_of(loaded, piece.pattern));
+                   contact_of(loaded, piece.pattern), piece.fine ? "" : "; may be larger");
   }
   return text;
 }

@@ -343,12 +343,11 @@ void Hold::search(CommandRun& run) {
                                    loaded_);
   exact_->note_statics(parameters);
   if (options_.certificate.empty()) parameters.nodes_of_evidence = wedged::max_nodes_of_evidence;
-  if (exact_->can_prove()) {
+  findings_.enclosed = exact_->can_prove();
+  if (findings_.enclosed) {
     parameters.recorder = [this, files](wedged::HoldClaim claim, double mu) {
       return exact_->record(claim, mu, files ? files(claim, mu) : nullptr);
     };
-  } else {
-    parameters.recorder = files;
   }
   if (options_.points.empty()) {
     findings_.friction = wedged::holding_friction(analysis, loaded_, parameters);

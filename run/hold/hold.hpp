@@ -58,6 +58,7 @@ struct HoldFindings {
   std::vector<HeldPoint>
       points{};            ///< of the options, in their order; of several, only complete ones
   bool certified = false;  ///< a certificate of factors was written
+  bool enclosed = false;  ///< the stiffness matrix: otherwise nothing is recorded for a certificate
   std::optional<wedged::Diagram> diagram{};
   engine::Status ended = engine::Status::solved;  ///< of the points
   std::vector<wedged::HoldCost> costs_left{};     ///< of a point that is not complete
@@ -85,6 +86,12 @@ std::string contact_of(const wedged::LoadedProblem& loaded, const wedged::Loaded
 /// Names of the candidates in contact and of those separated. @param pattern of the whole problem
 nlohmann::ordered_json pattern_names(const wedged::LoadedProblem& loaded,
                                      const wedged::LoadedPattern& pattern);
+
+/// Standing of an interval: `proved`; `states proved`, but not that none is held beyond its ends;
+/// `computed`.
+const char* standing_of(const wedged::HeldInterval& interval);
+/// Of the answer that no factor is held: "none, proved"; "not known".
+std::string standing_of_none(const HeldPoint& point);
 
 /// Bracket or intervals, and the costs of the searches.
 std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& loaded,

@@ -1,6 +1,7 @@
 // Table and JSON of `kusabi hold`.
 #include <cmath>
 #include <iterator>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -8,6 +9,8 @@
 #include "answer/words.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "run/hold/hold.hpp"
+#include "run/output/rounded_within.hpp"
+#include "run/results/result_scenes.hpp"
 #include "run/wedged/problem_summary.hpp"
 #include "support/rounded_bounds.hpp"
 
@@ -60,11 +63,15 @@ std::string coefficient_text(const support::Bracket& bracket) {
   return fmt::format("between {} and {}", shown.lower, shown.upper);
 }
 
-std::string end_text(double held, double out, bool upward) {
-  if (std::isinf(held)) return "no end";
-  if (held == out) return fmt::format("{:.12g}", held);
-  const auto shown = upward ? support::in_table(held, out) : support::in_table(out, held);
-  return upward ? shown.lower : shown.upper;
+// The ends of an interval, rounded to its inside with the digits of their brackets.
+ShownEnds ends_text(const wedged::HeldInterval& each) {
+  const auto& [low_out, low, high, high_out] =
+      std::tie(each.low_out.value, each.low, each.high, each.high_out.value);
+  auto shown = shown_ends(low, high, support::digits_of_table);
+  if (low == high) return shown;
+  if (std::isfinite(low) && low_out < low) shown.low = support::in_table(low_out, low).upper;
+  if (std::isfinite(high) && high < high_out) shown.high = support::in_table(high, high_out).lower;
+  return shown;
 }
 
 // Reactions of the candidates in contact, by their names; null if no state is known.
@@ -86,16 +93,17 @@ ordered_json state_json(const wedged::LoadedProblem& loaded, std::uint32_t block
 }
 
 // "normal reactions at factor 0.5: foot 0.9 top 0.3", in the unit of the file.
+// @param factor "at factor 0.5"
 std::string reactions_text(const wedged::LoadedProblem& loaded, std::uint32_t block,
                            const std::optional<wedged::LoadedPattern>& pattern,
-                           const std::optional<wedged::HeldState>& state) {
+                           const std::optional<wedged::HeldState>& state,
+                           const std::string& factor) {
   const auto json = state_json(loaded, block, pattern, state);
   if (json.is_null()) return {};
   std::vector<std::string> parts;
   for (const auto& [name, force] : json["reactions"].items())
     parts.push_back(fmt::format("{} {:.6g}", name, force.front().get<double>()));
-  return fmt::format("normal reactions at factor {:.6g}: {}\n", state->factor,
-                     parts.empty() ? "none" : listed(parts));
+  return fmt::format("normal reactions {}: {}\n", factor, parts.empty() ? "none" : listed(parts));
 }
 
 }  // namespace
@@ -150,14 +158,14 @@ namespace {
 
 std::string interval_row(const wedged::LoadedProblem& loaded, const std::string& first,
                          const wedged::HeldInterval& each) {
-  return fmt::format(
-      "{}  {:>18}  {:>18}  {}\n", first, end_text(each.low, each.low_out.value, false),
-      end_text(each.high, each.high_out.value, true), contact_of(loaded, each.block, each.pattern));
+  const auto shown = ends_text(each);
+  return fmt::format("{}  {:>18}  {:>18}  {:<15}  {}\n", first, shown.low, shown.high,
+                     standing_of(each), contact_of(loaded, each.block, each.pattern));
 }
 
 std::string interval_head(const std::string& first) {
-  return fmt::format("\n{}  {:>18}  {:>18}  {}\n", first, "held from", "held to",
-                     "in contact at an end");
+  return fmt::format("\n{}  {:>18}  {:>18}  {:<15}  {}\n", first, "held from", "held to",
+                     "standing", "in contact at an end");
 }
 
 std::string point_table(const wedged::LoadedProblem& loaded, const HeldPoint& point) {
@@ -165,8 +173,11 @@ std::string point_table(const wedged::LoadedProblem& loaded, const HeldPoint& po
   std::size_t number = 0;
   for (const auto& each : point.factors.intervals)
     text += interval_row(loaded, fmt::format("{:>5}", ++number), each);
-  for (const auto& each : point.factors.intervals)
-    text += reactions_text(loaded, each.block, each.pattern, each.state);
+  for (const auto& each : point.factors.intervals) {
+    if (!each.state) continue;
+    text += reactions_text(loaded, each.block, each.pattern, each.state,
+                           under_factor(each.state->factor, each.low, each.high));
+  }
   text += fmt::format("(factors of the reference load at friction coefficient {})\n", point.mu);
   if (point.grip) text += grip_table(*point.grip);
   return text;
@@ -179,7 +190,8 @@ std::string points_table(const wedged::LoadedProblem& loaded,
   for (const auto& point : points) {
     const auto mu = fmt::format("{:>8}", point.mu);
     for (const auto& each : point.factors.intervals) text += interval_row(loaded, mu, each);
-    if (point.factors.intervals.empty()) text += fmt::format("{}  {:>18}\n", mu, "-");
+    if (point.factors.intervals.empty())
+      text += fmt::format("{}  {:>18}  {:>18}  {}\n", mu, "-", "-", standing_of_none(point));
   }
   text += "(factors of the reference load at friction coefficients mu)\n";
   for (const auto& point : points) {
@@ -201,7 +213,8 @@ std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& 
       fmt::format_to(out, "\nholding friction coefficient: {}\nin contact: {}\n",
                      coefficient_text(found.bracket),
                      contact_of(loaded, found.block, found.pattern));
-      text += reactions_text(loaded, found.block, found.pattern, found.state);
+      text +=
+          reactions_text(loaded, found.block, found.pattern, found.state, under_factor(0, 0, 0));
     }
   } else if (findings.diagram) {
     text += diagram_table(loaded, *findings.diagram);

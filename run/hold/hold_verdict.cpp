@@ -114,6 +114,7 @@ answer::HoldingFactors point_of(const HoldOptions& options, const wedged::Loaded
 // A sentence for each certificate that was not written. The least coefficient, zero, has none
 // below.
 std::vector<std::string> missing_certificates(const HoldFindings& findings) {
+  if (!findings.enclosed) return {answer::no_certificate(answer::stiffness_is_not_enclosed)};
   const bool ended = findings.status() != engine::Status::solved;
   if (findings.friction && !ended) {
     std::vector<std::string> sentences;

@@ -12,8 +12,7 @@ using pictures::Markup;
 std::string title_of(const AnswerList& list, const Answer& answer) {
   auto thing = list.things.substr(0, list.things.size() - 1);
   thing.front() = static_cast<char>(thing.front() - 'a' + 'A');
-  return fmt::format("{} {}{}", thing, answer.number,
-                     answer.load_factor ? ' ' + under_factor(*answer.load_factor) : "");
+  return fmt::format("{} {}{}", thing, answer.number, answer.load.empty() ? "" : ' ' + answer.load);
 }
 
 void open_answer(Markup& page, std::string_view tag, std::string_view kind, const Answer& answer,
@@ -37,8 +36,19 @@ std::string meaning(const AnswerList& list, std::string_view key) {
   return loaded ? "can be held at μ" : "sticks at μ";
 }
 
-int digits_of(std::string_view key) {
-  return key == "margin" || key == "margin_upper" ? few_digits : many_digits;
+void add_number(Markup& page, const AnswerNumber& number) {
+  const auto& [key, value, text, standing] = number;
+  const bool margin = key == "margin" || key == "margin_upper";
+  if (text.empty())
+    add_number(page, value, margin ? few_digits : many_digits, rounding_of(key));
+  else
+    page.element("data", text, {{"value", value->dump()}});
+  if (!standing.empty()) page.words(fmt::format(" ({})", standing));
+}
+
+void add_needed(Markup& page, const Answer& answer) {
+  if (!answer.needed) return add_number(page, nullptr);
+  page.element("data", answer.needed_text, {{"value", ResultJson(*answer.needed).dump()}});
 }
 
 void add_terms(Markup& page, const AnswerList& list, const Answer& answer) {
@@ -50,15 +60,14 @@ void add_terms(Markup& page, const AnswerList& list, const Answer& answer) {
   names("separated", answer.separated);
   if (!answer.inactive.empty()) names("inactive", answer.inactive);
   if (!answer.state.empty()) page.element("dt", "remark").element("dd", answer.state);
-  for (const auto& [key, value] : answer.numbers) {
-    page.element("dt", meaning(list, key)).open("dd", {{"class", key}});
-    add_number(page, value, digits_of(key), rounding_of(key));
+  for (const auto& number : answer.numbers) {
+    page.element("dt", meaning(list, number.key)).open("dd", {{"class", number.key}});
+    add_number(page, number);
     page.close();
   }
   if (answer.needed) {
     page.element("dt", "reactions need μ").open("dd", {{"class", "needed"}});
-    const ResultJson needed(*answer.needed);
-    add_number(page, &needed, few_digits);
+    add_needed(page, answer);
     page.close();
     if (!answer.slips.empty()) names("slips first", answer.slips);
   }

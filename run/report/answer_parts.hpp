@@ -21,8 +21,11 @@ void open_answer(pictures::Markup& page, std::string_view tag, std::string_view 
 /// Meaning of a number of an answer.
 std::string meaning(const AnswerList& list, std::string_view key);
 
-/// Digits with which it is shown.
-int digits_of(std::string_view key);
+/// A number of an answer with its standing.
+void add_number(pictures::Markup& page, const AnswerNumber& number);
+
+/// The friction coefficient that its reactions need.
+void add_needed(pictures::Markup& page, const Answer& answer);
 
 /// A list of terms: candidates, numbers, friction.
 void add_terms(pictures::Markup& page, const AnswerList& list, const Answer& answer);

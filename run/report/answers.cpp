@@ -8,6 +8,9 @@
 #include <numeric>
 #include <string_view>
 
+#include "run/output/rounded_within.hpp"
+#include "run/report/facts.hpp"
+
 namespace kusabi::run {
 namespace {
 
@@ -41,19 +44,23 @@ void read_sets(const ResultReader& reader, const ResultJson& pattern, Answer& an
 }
 
 // Coefficients that candidates need, and those on the edge of their cones at the largest.
-void take_needs(const std::vector<std::pair<std::string, double>>& needs, Answer& answer) {
+// @param friction at which the reactions are in their cones, up to rounding
+void take_needs(const std::vector<std::pair<std::string, double>>& needs, double friction,
+                Answer& answer) {
   constexpr double alike = 1.01;  // as in the conclusion of a run
   constexpr double none = 1e-9;   // rounding of reactions along the normal
   double maximum = 0;
   for (const auto& [name, need] : needs) maximum = std::max(maximum, need);
-  answer.needed = maximum > none ? maximum : 0;
+  answer.needed = maximum <= none ? 0 : is_all_friction(maximum, friction) ? friction : maximum;
+  answer.needed_text = needed_friction_text(*answer.needed, friction, few_digits);
   for (const auto& [name, need] : needs) {
     if (need > none && need * alike > maximum) answer.slips.push_back(name);
   }
 }
 
 // Friction coefficient that a configuration needs, from the reactions of all candidates.
-void read_need(const ResultReader& reader, const ResultJson& candidates, Answer& answer) {
+void read_need(const ResultReader& reader, const ResultJson& candidates, double coefficient,
+               Answer& answer) {
   const auto d = static_cast<int>(reader.number(reader.at(reader.all(), "problem"), "d"));
   std::vector<std::pair<std::string, double>> needs;
   bool friction = false;
@@ -64,7 +71,7 @@ void read_need(const ResultReader& reader, const ResultJson& candidates, Answer&
     if (cone > 0)
       needs.emplace_back(reader.text(candidates[i], "node"), force.tail<2>().norm() / cone);
   }
-  if (friction) take_needs(needs, answer);
+  if (friction) take_needs(needs, coefficient, answer);
 }
 
 // States of equilibrium under load.
@@ -74,31 +81,36 @@ std::vector<Answer> states(const ResultReader& reader) {
   for (const auto& each : reader.list(problem, "contact"))
     friction[reader.text(each, "node")] = reader.number(each, "friction");
   const auto d = static_cast<int>(reader.number(problem, "d"));
+  const auto given = given_friction(reader);
   std::vector<Answer> all;
   for (const auto* const entry : held_states(reader)) {
     Answer answer{};
     answer.number = all.size() + 1;
     read_sets(reader, reader.at(*entry, "pattern"), answer);
-    const auto add = [&](const char* key, const ResultJson* value) {
-      if (value != nullptr) answer.numbers.emplace_back(key, value);
-    };
+    const auto [low, high] = held_range(reader, *entry);
     if (ResultReader::find(*entry, "below") != nullptr) {
-      const auto [low, high] = held_ends(reader, *entry);
-      add("low", low);
-      add("high", high);
+      const auto shown = shown_ends(low, high, many_digits);
+      const auto [from, to] = held_ends(reader, *entry);
+      const auto standing = reader.text(*entry, "standing");
+      if (from != nullptr) answer.numbers.push_back({"low", from, shown.low, standing});
+      if (to != nullptr) answer.numbers.push_back({"high", to, shown.high, standing});
     } else {
-      for (const char* const key : {"lower", "upper"}) add(key, reader.bound_value(*entry, key));
+      for (const char* const key : {"lower", "upper"}) {
+        const auto* const value = reader.bound_value(*entry, key);
+        if (value != nullptr)
+          answer.numbers.push_back({key, value, {}, standing_of(reader, entry, key)});
+      }
       answer.order = reader.bound(*entry, "upper");
     }
     const auto& state = reader.at(*entry, "state");
-    answer.load_factor = reader.number(state, "factor");
+    answer.load = under_factor(reader.number(state, "factor"), low, high);
     std::vector<std::pair<std::string, double>> needs;
     for (const auto& [name, value] : reader.at(state, "reactions").items()) {
       const Eigen::Vector3d force = reader.vector(value, d);
       const double cone = friction[name] * force.x();
       needs.emplace_back(name, cone > 0 ? force.tail<2>().norm() / cone : 0);
     }
-    take_needs(needs, answer);
+    take_needs(needs, given ? *given : answer.order.value_or(0), answer);
     all.push_back(std::move(answer));
   }
   return all;
@@ -120,7 +132,8 @@ std::vector<Answer> answers(const ResultReader& reader) {
   if (command != "patterns" && command != "rays" && command != "critical") return all;
   const bool rays = command == "rays";
   const auto [keys, order] = keys_of(command);
-  const auto& list = reader.list(reader.at(reader.all(), "result"), rays ? "rays" : "patterns");
+  const auto& result = reader.at(reader.all(), "result");
+  const auto& list = reader.list(result, rays ? "rays" : "patterns");
   const auto& candidates = reader.list(reader.at(reader.all(), "problem"), "contact");
   for (const auto& entry : list) {
     Answer answer{};
@@ -132,14 +145,16 @@ std::vector<Answer> answers(const ResultReader& reader) {
     }
     for (const char* const key : keys) {
       const auto* const value = ResultReader::find(entry, key);
-      answer.numbers.emplace_back(key, value);
+      answer.numbers.push_back({key, value});
       if (value == nullptr) continue;
       const double number = reader.number(entry, key);
       if (key == order) answer.order = number;
     }
     if (ResultReader::find(entry, "reaction") != nullptr) {
       answer.reaction = &reader.list(entry, "reaction", candidates.size());
-      read_need(reader, candidates, answer);
+      const auto coefficient =
+          command == "critical" ? answer.order : std::optional(reader.number(result, "friction"));
+      if (coefficient) read_need(reader, candidates, *coefficient, answer);
     }
     all.push_back(std::move(answer));
   }

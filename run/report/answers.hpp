@@ -12,17 +12,25 @@
 
 namespace kusabi::run {
 
+/// A number of an answer.
+struct AnswerNumber {
+  std::string key;          ///< of the result file
+  const ResultJson* value;  ///< null: unknown
+  std::string text{};       ///< as it is shown; empty: rounded as its key says
+  std::string standing{};   ///< empty: not in the file
+};
+
 struct Answer {
   std::size_t number;  ///< from 1 on, in the order of the file
   std::vector<std::string> contact;
   std::vector<std::string> separated;
   std::vector<std::string> inactive;
-  std::string state;  ///< in words; empty: it holds, or the file does not say
-  /// Named numbers: margin, or lower and upper bound. Null: unknown.
-  std::vector<std::pair<std::string, const ResultJson*>> numbers;
-  std::optional<double> load_factor;       ///< of a state under load
+  std::string state;                       ///< in words; empty: it holds, or the file does not say
+  std::vector<AnswerNumber> numbers;       ///< margin, or lower and upper bound
+  std::string load;                        ///< of a state under load: "at factor 1.4"
   std::optional<double> order;             ///< margin or upper bound, for sorting
   std::optional<double> needed;            ///< friction coefficient that its reactions need
+  std::string needed_text;                 ///< the same, rounded up
   std::vector<std::string> slips;          ///< candidates that slip at this coefficient
   const ResultJson* reaction = nullptr;    ///< one row per candidate; null: not in the file
   const pictures::Scene* scene = nullptr;  ///< null: none

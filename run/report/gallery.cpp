@@ -43,7 +43,9 @@ class Gallery {
 
   void add() {
     page_.open("section", {{"id", "answers"}});
-    page_.element("h2", fmt::format("All {}, {} first", list_.things, list_.ranked_by));
+    const auto& by = list_.ranked_by;
+    page_.element("h2", fmt::format("All {}{}", list_.things,
+                                    by.empty() ? by : fmt::format(", {} first", by)));
     draw();
     const auto drawn = list_.answers.size() -
                        static_cast<std::size_t>(std::ranges::count(pictures_, std::string()));
@@ -94,7 +96,8 @@ class Gallery {
     page_.open("p").element("label", "Sort by ", {{"for", "order"}});
     page_.open("select", {{"id", "order"}});
     page_.element("option", "groups", {{"value", "groups"}});
-    page_.element("option", list_.ranked_by + " first", {{"value", "rank"}});
+    if (!list_.ranked_by.empty())
+      page_.element("option", list_.ranked_by + " first", {{"value", "rank"}});
     page_.element("option", "number", {{"value", "number"}});
     page_.element("option", "number of candidates in contact", {{"value", "size"}}).close().close();
     page_.open("p").element("button", "Show all", {{"type", "reset"}}).words(" ");
@@ -102,10 +105,12 @@ class Gallery {
     page_.close();
   }
 
+  [[nodiscard]] bool in_groups() const { return list_.groups.groups.size() > 1; }
+
   void group(std::size_t number) {
     const auto& own = list_.groups.groups[number];
     page_.open("div", {{"class", "group"}});
-    if (list_.groups.groups.size() > 1) {
+    if (in_groups()) {
       page_.element("h3", own.members.size() == 1
                               ? fmt::format("Group {}: one of the {}", number + 1, list_.things)
                               : fmt::format("Group {}: {} {} that differ in up to {} candidates",
@@ -128,7 +133,7 @@ class Gallery {
   void card(std::size_t i) {
     const auto& answer = list_.answers[i];
     open_answer(page_, "li", rank_[i] < max_printed ? "answer large" : "answer", answer, rank_[i]);
-    page_.element(list_.groups.groups.size() > 1 ? "h4" : "h3", title_of(list_, answer));
+    page_.element(in_groups() ? "h4" : "h3", title_of(list_, answer));
     page_.open("div", {{"data-view", views_[i]}}).verbatim(pictures_[i]).close();
     add_terms(page_, list_, answer);
     add_reactions(page_, reader_, list_, answer);
@@ -147,7 +152,7 @@ class Gallery {
       page_.element("th", name, {{"scope", "col"}});
     };
     column("number"), column("in contact"), column("separated");
-    for (const auto& [key, value] : list_.answers.front().numbers) column(meaning(list_, key));
+    for (const auto& number : list_.answers.front().numbers) column(meaning(list_, number.key));
     column("reactions need μ");
     page_.close().close().open("tbody", {{"class", "sorted"}});
     for (const auto i : list_.order) row(i);
@@ -166,14 +171,13 @@ class Gallery {
     page_.element("th", std::to_string(answer.number), {{"scope", "row"}});
     page_.element("td", list_.names.of(answer.contact));
     page_.element("td", list_.names.of(answer.separated));
-    for (const auto& [key, value] : answer.numbers) {
-      page_.open("td", {{"class", key}});
-      add_number(page_, value, digits_of(key), rounding_of(key));
+    for (const auto& number : answer.numbers) {
+      page_.open("td", {{"class", number.key}});
+      add_number(page_, number);
       page_.close();
     }
     page_.open("td");
-    const ResultJson needed = answer.needed ? ResultJson(*answer.needed) : ResultJson();
-    add_number(page_, &needed);
+    add_needed(page_, answer);
     page_.close().close();
   }
 
@@ -212,7 +216,13 @@ AnswerList answer_list(const ResultReader& reader) {
                   .groups = {},
                   .names = ShortNames(candidates(reader))};
   list.order = by_rank(reader, list.answers);
+  // Most extremal rays need all of the friction, and states all act at one coefficient.
+  const auto alike = [&](const Answer& each) { return each.needed == list.answers.front().needed; };
+  if (command == "hold" || (command == "rays" && std::ranges::all_of(list.answers, alike)))
+    list.ranked_by.clear();
   list.groups = answer_groups(list.answers, list.order, max_groups);
+  if (list.groups.groups.size() == list.answers.size() && list.answers.size() > 1)
+    list.groups = answer_groups(list.answers, list.order, 1);  // none has a second one
   return list;
 }
 
@@ -269,7 +279,8 @@ void add_leading(Markup& page, const ResultReader& reader, const AnswerList& lis
   } else {
     page.open("div", {{"id", "leading-text"}, {"aria-live", "polite"}});
   }
-  page.element("h2", alone ? title_of(list, answer)
+  const bool named = alone || list.ranked_by.empty();
+  page.element("h2", named ? title_of(list, answer)
                            : fmt::format("{}, {}", title_of(list, answer), list.ranked_by));
   add_terms(page, list, answer);
   add_reactions(page, reader, list, answer);

@@ -26,7 +26,7 @@ inline constexpr std::size_t max_printed_rows = 100;
 /// The answers of a page, in their order and in groups.
 struct AnswerList {
   std::string things;     ///< plural noun: "patterns"
-  std::string ranked_by;  ///< "largest margin"
+  std::string ranked_by;  ///< "largest margin"; empty: in the order of the file
   std::vector<Answer> answers;
   std::vector<std::size_t> order;  ///< the leading one first
   AnswerGroups groups;

@@ -1,7 +1,9 @@
 // A row for each interval, and for each friction coefficient without any.
 #include "run/report/hold_section.hpp"
 
+#include "answer/words.hpp"
 #include "pictures/svg/chart.hpp"
+#include "run/output/rounded_within.hpp"
 #include "run/report/facts.hpp"
 #include "run/results/hold_chart.hpp"
 #include "run/results/result_scenes.hpp"
@@ -11,20 +13,43 @@ namespace {
 
 using pictures::Markup;
 
-// @param key "low" or "high"
-void add_end(Markup& page, const ResultJson* end, const char* key) {
+void add_end(Markup& page, const ResultJson* end, const std::string& shown) {
   page.open("td");
   if (end == nullptr) {
-    page.words("no end");
+    page.words(shown);
   } else {
-    add_number(page, end, many_digits, rounding_of(key));
+    page.element("data", shown, {{"value", end->dump()}});
   }
   page.close();
 }
 
+// That of a word of the file.
+support::Standing standing_in(const std::string& word) {
+  return support::proved_if(word == answer::standing_word(support::Standing::proved));
+}
+
+// As in the table of the command.
+const char* standing_of_interval(const ResultReader& reader, const ResultJson& interval) {
+  const auto& below = reader.at(interval, "below");
+  const auto& above = reader.at(interval, "above");
+  const auto beyond = [&](const ResultJson& bracket, const char* held, const char* out) {
+    return ResultReader::find(bracket, held) == nullptr
+               ? support::Standing::proved
+               : standing_in(standing_of(reader, &bracket, out));
+  };
+  return answer::interval_standing_word(
+      standing_in(reader.text(interval, "standing")),
+      both(beyond(below, "upper", "lower"), beyond(above, "lower", "upper")));
+}
+
+std::string standing_of_none(const ResultReader& reader, const ResultJson& point) {
+  if (ResultReader::find(point, "outside") == nullptr) return answer::none_standing_words({});
+  return answer::none_standing_words(standing_in(reader.text(point, "outside")));
+}
+
 void add_intervals(Markup& page, const ResultReader& reader, const ResultJson& points) {
   begin_table(page, "Factors of the reference load that can be held",
-              {"friction coefficient", "from", "to", "in contact at an end"});
+              {"friction coefficient", "from", "to", "standing", "in contact at an end"});
   for (const auto& point : points) {
     const auto& mu = reader.at(point, "friction");
     const auto begin_row = [&] {
@@ -36,15 +61,19 @@ void add_intervals(Markup& page, const ResultReader& reader, const ResultJson& p
     for (const auto& each : intervals) {
       begin_row();
       const auto [low, high] = held_ends(reader, each);
-      add_end(page, low, "low");
-      add_end(page, high, "high");
+      const auto [from, to] = held_range(reader, each);
+      const auto shown = shown_ends(from, to, many_digits);
+      add_end(page, low, shown.low);
+      add_end(page, high, shown.high);
+      page.element("td", standing_of_interval(reader, each));
       const auto* const pattern = ResultReader::find(each, "pattern");
       page.element("td", pattern == nullptr ? "–" : joined(reader.names(*pattern, "contact")));
       page.close();
     }
     if (!intervals.empty()) continue;
     begin_row();
-    page.element("td", "none is known").element("td", "–").element("td", "–").close();
+    page.element("td", "–").element("td", "–").element("td", standing_of_none(reader, point));
+    page.element("td", "–").close();
   }
   end_table(page);
 }

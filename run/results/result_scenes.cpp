@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "answer/values.hpp"
+#include "run/output/rounded_within.hpp"
 #include "run/output/wrong_input.hpp"
 #include "run/results/drawn_structure.hpp"
 #include "run/results/result_reader.hpp"
@@ -24,6 +25,8 @@ using pictures::Scene;
 constexpr std::size_t longest_names = 330;
 /// digits of a number in a picture.
 constexpr int digits_of_picture = 6;
+/// of a friction coefficient that is found: lower and upper bound differ.
+constexpr int digits_of_coefficient = 10;
 
 // "in contact: a b c", "in contact: a b and 7 more"; empty if there are none.
 std::string listed_names(const std::string& what, const std::vector<std::string>& names) {
@@ -194,31 +197,29 @@ class SceneReader {
     }
   }
 
-  // Friction coefficient of a state: that of the call, or the one found.
-  [[nodiscard]] double friction_of(const ResultJson& entry) const {
-    const auto* const points = ResultReader::find(reader_.at(reader_.all(), "options"), "mu");
-    return points != nullptr && !points->empty() ? reader_.number_of(points->front(), "'mu'")
-                                                 : reader_.bound(entry, "upper").value_or(0);
-  }
-
   void read_states(ResultScenes& all) {
     for (const auto* const entry : held_states(reader_)) {
       if (!is_chosen(all, all.count)) continue;
-      const double friction = friction_of(*entry);
+      const auto given = given_friction(reader_);
+      const double friction = given ? *given : reader_.bound(*entry, "upper").value_or(0);
+      const auto coefficient = given ? fmt::format("{}", friction)
+                                     : support::rounded_up(friction, digits_of_coefficient);
       auto scene = at_friction(friction);
       const auto& state = reader_.at(*entry, "state");
       const double factor = reader_.number(state, "factor");
-      scene.name = fmt::format("state {} {}", all.count, under_factor(factor));
-      scene.note = fmt::format("μ {:.6g}", friction);
+      const auto [low, high] = held_range(reader_, *entry);
+      const auto load = under_factor(factor, low, high);
+      scene.name = fmt::format("state {} {}", all.count, load);
+      scene.note = "μ " + coefficient;
       add_signs(scene, reader_.at(*entry, "pattern"));
       for (const auto& [name, force] : reader_.at(state, "reactions").items()) {
         const auto i = candidate_named(name);
         scene.candidates[i].reaction = structure_.frames[i] * reader_.vector(force, dimension_);
       }
-      add_loads(scene, {.factor = factor});
-      add_line(scene, fmt::format("held at factor {:.10g} of the reference load", factor));
-      all.picture.lines = {
-          fmt::format("states of equilibrium at friction coefficient {:.10g}", friction)};
+      add_loads(scene, {.factor = factor,
+                        .factor_text = rounded_within(factor, low, high, digits_of_picture)});
+      add_line(scene, "held " + load + (factor == 0 ? "" : " of the reference load"));
+      all.picture.lines = {"states of equilibrium at friction coefficient " + coefficient};
       all.entries.push_back(all.count - 1);
       all.scenes.push_back(std::move(scene));
     }
@@ -307,8 +308,9 @@ class SceneReader {
   }
 
   struct LoadsOfScene {
-    double factor;      // of the reference load; 0: it does not act
-    double sudden = 1;  // dynamic factor of all loads
+    double factor;              // of the reference load; 0: it does not act
+    std::string factor_text{};  // empty: rounded to the nearest
+    double sudden = 1;          // dynamic factor of all loads
     const ResultJson* critical =
         nullptr;  // has the dead load that acts in place of that of the file
   };
@@ -343,7 +345,9 @@ class SceneReader {
       });
     }
     if (chosen.sudden != 1) scene.load_names.dead += fmt::format(" × {:.6g}", chosen.sudden);
-    scene.load_names.reference += fmt::format(" × {:.6g}", chosen.sudden * chosen.factor);
+    scene.load_names.reference +=
+        " × " + (chosen.factor_text.empty() ? fmt::format("{:.6g}", chosen.sudden * chosen.factor)
+                                            : chosen.factor_text);
   }
 
   [[nodiscard]] Eigen::Vector3d force_of(const ResultJson& load) const {
@@ -445,8 +449,23 @@ std::pair<const ResultJson*, const ResultJson*> held_ends(const ResultReader& re
           reader.bound_value(reader.at(interval, "above"), "lower")};
 }
 
-std::string under_factor(double factor) {
-  return factor == 0 ? "under the dead load" : fmt::format("at factor {:.6g}", factor);
+std::pair<double, double> held_range(const ResultReader& reader, const ResultJson& entry) {
+  const bool interval = ResultReader::find(entry, "below") != nullptr;
+  const auto [low, high] =
+      interval ? held_ends(reader, entry) : std::pair<const ResultJson*, const ResultJson*>{};
+  return {low == nullptr ? -HUGE_VAL : low->get<double>(),
+          high == nullptr ? HUGE_VAL : high->get<double>()};
+}
+
+std::optional<double> given_friction(const ResultReader& reader) {
+  const auto* const points = ResultReader::find(reader.at(reader.all(), "options"), "mu");
+  if (points == nullptr || points->empty()) return {};
+  return reader.number_of(points->front(), "'mu'");
+}
+
+std::string under_factor(double factor, double low, double high) {
+  if (factor == 0) return "under the dead load";
+  return "at factor " + rounded_within(factor, low, high, digits_of_picture);
 }
 
 ResultScenes chosen_scenes(const ResultReader& reader, SceneChoice choice) {

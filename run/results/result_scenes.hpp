@@ -37,8 +37,16 @@ std::vector<const ResultJson*> held_states(const ResultReader& reader);
 std::pair<const ResultJson*, const ResultJson*> held_ends(const ResultReader& reader,
                                                           const ResultJson& interval);
 
-/// "under the dead load", "at factor 1.4": the load of a state. @param factor of the reference load
-std::string under_factor(double factor);
+/// The same as numbers, infinite without an end, as of an entry that is no interval.
+std::pair<double, double> held_range(const ResultReader& reader, const ResultJson& entry);
+
+/// Friction coefficient of the call of `hold`; nothing if the smallest one was requested.
+std::optional<double> given_friction(const ResultReader& reader);
+
+/// "under the dead load", "at factor 1.4": the load of a state.
+/// @param factor of the reference load @param low, high the factors that are held, within which it
+/// is rounded
+std::string under_factor(double factor, double low, double high);
 
 /// The list of scenes may be empty.
 /// @throws WrongInput in one line if it is not a result that can be drawn

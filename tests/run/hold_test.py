@@ -231,7 +231,11 @@ class Hold(KusabiCase):
         self.assertEqual((held["low"], held["standing"], held["state"]["factor"]), (held["high"], "computed", held["low"]))
         self.assertTrue(fractions.Fraction(held["low_out"]) < fractions.Fraction(3, 7) < fractions.Fraction(held["high_out"]))
         self.assertAlmostEqual(held["state"]["reactions"]["a"][0], 10 / 7, delta=1e-6)
-        self.assertRegex(result["verdict"]["sentence"], r"0\.428571 \(computed, not proved\), and none below 0\.42857 or above 0\.42858")
+        self.assertRegex(result["verdict"]["sentence"], r"about 0\.428571 \(computed, not proved\), and none below 0\.42857 or above 0\.42858")
+        # The table shows that double, and neither a range without a factor nor another one.
+        table = self.kusabi("hold", self.folder / "problem.toml", "--mu", 0.5).stdout
+        self.assertRegex(table, rf"\n +1 +{held['low']} +{held['low']} +computed +a\n")
+        self.assertIn(f"at factor {held['low']}: a", table)
 
     def test_parts_that_may_hold_one_factor_are_undecided(self):
         # Each holds a range of pushes; they have the end -0.6 in common.
