@@ -224,17 +224,14 @@ class ChartLegend {
   double draw(const Chart& chart) {
     for (std::size_t i = 0; i < chart.series.size(); ++i) {
       const auto& series = chart.series[i];
-      const bool lines = !series.lines.empty() || !series.marks.empty();
-      if (!series.areas.empty()) {
+      if (!series.areas.empty())
         canvas_.rectangle(fmt::format("area s{}", i % 4), left() - PixelPoint(0, 6), {30, 12});
-        words(lines ? series.areas_name : series.name);
-      }
       if (!series.lines.empty())
         canvas_.polyline(fmt::format("curve s{}{}", i % 4, kind_of(series.stroke)),
                          {left(), left() + PixelPoint(30, 0)});
       if (!series.marks.empty())
         canvas_.circle(fmt::format("mark s{}", i % 4), left() + PixelPoint(15, 0), 4);
-      if (lines || series.areas.empty()) words(series.name);
+      words(series.name);
     }
     return y_;
   }

@@ -35,7 +35,6 @@ struct ChartSeries {
   Stroke stroke = Stroke::curve;
   std::vector<ChartMark> marks{};
   std::vector<ChartArea> areas{};
-  std::string areas_name{};  ///< in the legend, if there are lines as well
 };
 
 struct Chart {

@@ -1,12 +1,10 @@
-// Areas run to the right of the computed coefficients, since a larger one holds all that a smaller
-// one holds; between two of them more may be held.
+// Areas are drawn only where a piece is convex, so that its vertices prove it; over the friction
+// coefficient there is a bar at each coefficient of the call.
 #include "run/results/hold_chart.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -29,8 +27,6 @@ using Points = std::vector<Eigen::Vector2d>;
 /// Distance of a vertex that is not drawn, relative to that of the vertex at the first quartile of
 /// those that are not the origin.
 constexpr double far_away = 20;
-
-constexpr double unbounded_end = std::numeric_limits<double>::infinity();
 
 class HoldCharts {
  public:
@@ -64,23 +60,21 @@ class HoldCharts {
     return names.empty() ? "none" : fmt::format("{}", fmt::join(names, " "));
   }
 
-  [[nodiscard]] std::pair<double, double> ends(const ResultJson& interval) const {
-    const auto [low, high] = held_ends(reader_, interval);
-    return {low == nullptr ? -unbounded_end : low->get<double>(),
-            high == nullptr ? unbounded_end : high->get<double>()};
-  }
-
   [[nodiscard]] Chart bars() const {
     auto chart =
         empty_chart("Load factors that can be held", "factor of the reference load", "interval");
     chart.whole_numbers = true;
     double row = 0;
     for (const auto& each : reader_.list(result_, "intervals")) {
-      const auto [low, high] = ends(each);
+      const auto [low, high] = held_range(reader_, each);
       ++row;
-      chart.series.push_back({.name = "in contact: " + contact_of(each) + no_end(low, high),
-                              .lines = {{{low, row}, {high, row}}},
-                              .stroke = Stroke::bar});
+      ChartSeries held{.name = "in contact: " + contact_of(each) + no_end(low, high),
+                       .stroke = Stroke::bar};
+      if (low < high)
+        held.lines = {{{low, row}, {high, row}}};
+      else  // a bar without length would not be seen
+        held.marks = {{low, row, fmt::format("{} only", low)}};
+      chart.series.push_back(std::move(held));
     }
     return chart;
   }
@@ -96,45 +90,29 @@ class HoldCharts {
   [[nodiscard]] Chart over_friction() const {
     auto chart = empty_chart("Load factors that can be held", "friction coefficient",
                              "factor of the reference load");
-    ChartSeries held{
-        .name = "held at the friction coefficients of the call",
-        .stroke = Stroke::bar,
-        .areas_name = "held as well, as a larger coefficient holds all that a smaller one holds"};
+    ChartSeries held{.name = "held at the friction coefficients of the call",
+                     .stroke = Stroke::bar};
     ChartSeries none{.name = "no factor is known to be held"};
-    std::map<double, const ResultJson*> points;
-    for (const auto& point : reader_.list(result_, "points"))
-      points[reader_.number(point, "friction")] = &point;
     bool endless = false;
-    for (auto point = points.begin(); point != points.end(); ++point) {
-      const double mu = point->first;
-      const auto next = std::next(point);
-      const double until = next == points.end() ? unbounded_end : next->first;
-      const auto& intervals = reader_.list(*point->second, "intervals");
+    for (const auto& point : reader_.list(result_, "points")) {
+      const double mu = reader_.number(point, "friction");
+      const auto& intervals = reader_.list(point, "intervals");
       if (intervals.empty()) none.marks.push_back({mu, 0, fmt::format("none at {}", mu)});
       for (const auto& each : intervals) {
-        const auto [low, high] = ends(each);
+        const auto [low, high] = held_range(reader_, each);
         endless = endless || std::isinf(low) || std::isinf(high);
-        held.lines.push_back({{mu, low}, {mu, high}});
-        held.areas.push_back(rectangle(mu, until, low, high));
+        if (low < high)
+          held.lines.push_back({{mu, low}, {mu, high}});
+        else  // a bar without length would not be seen
+          held.marks.push_back({mu, low, fmt::format("at {} only {}", mu, low)});
       }
     }
     if (endless) held.name += "; arrow: no end";
-    if (!held.lines.empty()) chart.series.push_back(std::move(held));
+    if (!held.lines.empty() || !held.marks.empty()) chart.series.push_back(std::move(held));
     if (!none.marks.empty()) chart.series.push_back(std::move(none));
+    if (reader_.list(result_, "points").size() > 1)
+      chart.series.push_back({.name = "between them nothing is computed"});
     return chart;
-  }
-
-  // The upper end of x, and both of y, may be infinite.
-  [[nodiscard]] static ChartArea rectangle(double left, double right, double low, double high) {
-    ChartArea area;
-    if (std::isinf(right)) area.rays.emplace_back(1, 0);
-    if (std::isinf(low)) area.rays.emplace_back(0, -1);
-    if (std::isinf(high)) area.rays.emplace_back(0, 1);
-    for (const double x : {left, std::isinf(right) ? left : right})
-      for (const double y : {std::isinf(low) ? std::min(high, 0.0) : low,
-                             std::isinf(high) ? std::max(low, 0.0) : high})
-        area.vertices.emplace_back(x, std::isfinite(y) ? y : 0);
-    return area;
   }
 
   [[nodiscard]] Points points_of(const ResultJson& piece, const char* key) const {
@@ -185,8 +163,11 @@ class HoldCharts {
       const auto* const end = everything           ? "; no end on any side"
                               : !area.rays.empty() ? "; no end"
                                                    : "";
-      chart.series.push_back(
-          {.name = "in contact: " + contact_of(piece) + end, .areas = {std::move(area)}});
+      const auto* const fine = ResultReader::find(piece, "fine");
+      const bool coarse = fine != nullptr && *fine == false;
+      chart.series.push_back({.name = "in contact: " + contact_of(piece) + end +
+                                      (coarse ? "; may be larger than drawn" : ""),
+                              .areas = {std::move(area)}});
     }
     if (outside > 0)
       chart.series.push_back(
