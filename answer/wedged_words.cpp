@@ -53,9 +53,27 @@ bool is_known_to_stick(const Sticking& found) {
 }
 
 std::string next_step(bool of_patterns) {
-  return fmt::format("kusabi critical finds the {} below which it cannot stick{}.", coefficient,
-                     of_patterns ? "; --sort critical adds to the list that of each pattern" : "");
+  return fmt::format(
+      "To prevent sticking, lower the friction below the critical coefficient, which kusabi "
+      "critical "
+      "finds{}.",
+      of_patterns ? "; --sort critical adds to the list that of each pattern" : "");
 }
+
+namespace {
+
+// What exact arithmetic proves of a list of rays.
+std::string cones_text(const Sticking& found) {
+  if (!found.proved_cones) return {};
+  return found.proved_cones == 1U
+             ? std::string(" in one maximal cone; exact arithmetic proves that there is no other")
+             : fmt::format(
+                   " in {} maximal cones; exact arithmetic proves these cones, and that there is "
+                   "no other",
+                   *found.proved_cones);
+}
+
+}  // namespace
 
 std::string headline_of(const Sticking& found, engine::Status ended) {
   const auto where =
@@ -64,10 +82,13 @@ std::string headline_of(const Sticking& found, engine::Status ended) {
   if (is_known_to_stick(found)) {
     if (found.example) return fmt::format("Yes, it can stick at {}.", where);
     const auto count = counted(found.count, found.thing);
-    const char* const known = found.count == 1U ? "is known" : "are known";
-    if (!complete) return fmt::format("It can stick at {}: {} {}.", where, count, known);
-    return found.thing == "way" ? fmt::format("It can stick in {} at {}.", count, where)
-                                : fmt::format("It can stick at {}, with {}.", where, count);
+    const bool one = found.count == 1U;
+    if (!complete)
+      return fmt::format("It can stick at {}: {} {} known.", where, count, one ? "is" : "are");
+    if (found.thing != "way")
+      return fmt::format("It can stick at {}, with {}{}.", where, count, cones_text(found));
+    return one ? fmt::format("Yes, it can stick at {}, in one way.", where)
+               : fmt::format("It can stick in {} at {}.", count, where);
   }
   if (complete) return fmt::format("It cannot stick at {}.", where);
   return fmt::format("It is not known whether it can stick at {}.", where);
@@ -88,12 +109,7 @@ void reserve(const Sticking& found, engine::Status ended, std::vector<Reservatio
   }
   if (found.remainder) reserve(*found.remainder, all);
   if (found.standing == Standing::computed && found.proved_cones) {
-    all.push_back({fmt::format("Exact arithmetic proves that the rays are in {} and no other; the "
-                               "rays themselves are computed in floating point.",
-                               found.proved_cones == 1U
-                                   ? "this maximal cone"
-                                   : fmt::format("these {} maximal cones", *found.proved_cones)),
-                   false});
+    all.push_back({"The rays themselves are computed in floating point, not proved.", false});
   } else if (found.standing == Standing::computed) {
     all.push_back(
         {fmt::format("{} is computed in floating point, not proved in exact arithmetic{}.",

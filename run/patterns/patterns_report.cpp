@@ -12,6 +12,7 @@
 #include "answer/words.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
+#include "run/output/rounded_within.hpp"
 #include "run/output/values.hpp"
 #include "run/patterns/pattern_lines.hpp"
 #include "run/wedged/configuration_files.hpp"
@@ -142,31 +143,47 @@ std::string PatternsReport::largest_margin() const {
                         findings_.blocks.size() > 1 ? " of its block" : "", margin, contact);
   const auto nearest = nearest_failure(problem_, options_.friction, best.block, best.pattern,
                                        best.reaction, best.displacement);
-  return head + nearest_failure_text(problem_, nearest) + needed_friction(best, nearest.need);
+  return head + needed_friction(best, nearest.need) + nearest_failure_text(problem_, nearest);
 }
 
-// The coefficient that a configuration needs, which is not the least one of its pattern.
+// The coefficient that the configuration with the margin of its pattern needs, and the least one
+// of the pattern if that is known.
 std::string PatternsReport::needed_friction(const wedged::Configuration& configuration,
                                             const FrictionNeed& need) const {
-  if (need.slips.empty()) return " This configuration needs no friction.";
+  if (need.slips.empty()) return " Its configuration with this margin needs no friction.";
   const auto factor = answer::of_each_candidate(!problems::uniform_friction(problem_));
+  std::string others = "others of the pattern may need less";
+  if (!brackets_.empty()) {
+    const auto number = static_cast<std::size_t>(best() - findings_.leaves.begin());
+    const auto& upper = brackets_[number].upper;
+    if (upper && number != first_to_stick()) {  // that one has a sentence of its own
+      others = fmt::format("the pattern sticks from {}{} on{}", support::rounded_up(*upper), factor,
+                           answer::unless_proved(support::Standing::computed));
+    }
+  }
   return fmt::format(
-      " This configuration needs a friction coefficient of at least {}{}, and with less, {}; "
-      "others "
-      "of the same pattern may need less.",
-      support::rounded_down(need.coefficient), factor,
-      slip_words(problem_, configuration.block, configuration.pattern.contact, need));
+      " Its configuration with this margin needs a friction coefficient of {}{}; with less, {}; "
+      "{}.",
+      needed_friction_text(need.coefficient, options_.friction, support::digits_of_sentence),
+      factor, slip_words(problem_, configuration.block, configuration.pattern.contact, need),
+      others);
+}
+
+std::size_t PatternsReport::first_to_stick() const {
+  const auto upper = [](const wedged::PatternBracket& each) {
+    return each.upper.value_or(std::numeric_limits<double>::infinity());
+  };
+  return static_cast<std::size_t>(std::ranges::min_element(brackets_, {}, upper) -
+                                  brackets_.begin());
 }
 
 // The pattern that begins to stick with the least friction of all that are listed.
 std::string PatternsReport::least_friction() const {
-  const auto upper = [](const wedged::PatternBracket& each) {
-    return each.upper.value_or(std::numeric_limits<double>::infinity());
-  };
-  const auto first = std::ranges::min_element(brackets_, {}, upper);
-  if (!first->upper) return "From which coefficient on the patterns stick is not known.";
+  const auto first = first_to_stick();
+  const auto& upper = brackets_[first].upper;
+  if (!upper) return "From which coefficient on the patterns stick is not known.";
   return fmt::format("Pattern {} sticks with the least friction of those listed, from {}{} on{}.",
-                     first - brackets_.begin() + 1, support::rounded_up(*first->upper),
+                     first + 1, support::rounded_up(*upper),
                      answer::of_each_candidate(!problems::uniform_friction(problem_)),
                      answer::unless_proved(support::Standing::computed));
 }

@@ -114,6 +114,8 @@ class PatternsReport {
   [[nodiscard]] std::string largest_margin() const;
   [[nodiscard]] std::string needed_friction(const wedged::Configuration& configuration,
                                             const FrictionNeed& need) const;
+  /// Index of the bracket that begins lowest. @pre there are brackets
+  [[nodiscard]] std::size_t first_to_stick() const;
   [[nodiscard]] std::string least_friction() const;
   [[nodiscard]] std::string largest_load() const;
   /// Sentences below the headline.

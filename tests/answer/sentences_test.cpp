@@ -100,8 +100,11 @@ Command rays() {
   none.count = 0;
   auto ambiguous = list;
   ambiguous.ambiguous = true;
+  auto proved = list;
+  proved.proved_cones = 5;
   return {"rays",
           {{"all rays", {.answer = list}},
+           {"proved", {.answer = proved}},
            {"none", {.answer = none}},
            {"stopped", stopped(list, engine::Status::node_limit)},
            {"undecided", {.answer = ambiguous}}}};
@@ -152,7 +155,10 @@ Command hold() {
        {"stopped without bounds", stopped(with({}))},
        {"undecided",
         {.answer = with({proved(0.33), std::nullopt}),
-         .missing = {no_certificate(nothing_is_proved)}}}}};
+         .missing = {no_certificate(nothing_is_proved)}}},
+       {"too large for a proof",
+        {.answer = with({std::nullopt, computed(0.33)}),
+         .missing = {no_certificate(stiffness_is_not_enclosed)}}}}};
 }
 
 HoldingFactors factors(double low, double high) {

@@ -19,6 +19,7 @@ namespace kusabi::answer {
 namespace {
 
 using testing::all_verdicts;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -224,9 +225,11 @@ TEST(StickingWords, DistinguishProvedConesFromComputedRays) {
                 .count = 7,
                 .standing = Standing::computed,
                 .proved_cones = 3};
-  EXPECT_THAT(all_words({.answer = rays}),
-              HasSubstr("Exact arithmetic proves that the rays are in these 3 maximal cones and no "
-                        "other; the rays themselves are computed"));
+  EXPECT_THAT(
+      all_words({.answer = rays}),
+      AllOf(HasSubstr("with 7 extremal rays in 3 maximal cones; exact arithmetic proves these "
+                      "cones, and that there is no other."),
+            HasSubstr("The rays themselves are computed in floating point, not proved.")));
   EXPECT_EQ(answer_json({.answer = rays})["proved_cones"], 3);
   rays.proved_cones.reset();
   EXPECT_THAT(all_words({.answer = rays}), HasSubstr("not proved in exact arithmetic"));

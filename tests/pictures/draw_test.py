@@ -245,8 +245,7 @@ class Draw(KusabiCase):
         self.assertGreater(heights.pop(1), 20)
         self.assertLess(max(heights), 0.1)
 
-    def test_paints_no_load_that_is_not_held_between_two_coefficients(self):
-        # The heaviest climber of the ladder grows faster and faster with friction, by statics.
+    def test_paints_nothing_between_two_coefficients(self):
         mus = [0.4, 0.45, 0.55]
         points = self.solve("hold", "ladder.toml", "--mu", ",".join(map(str, mus)))["result"]["points"]
         root = self.draw()
@@ -255,19 +254,8 @@ class Draw(KusabiCase):
         drawn = [place for bar in bars for place in bar]
         for axis in (0, 1):
             self.check_scale([place[axis] for place in drawn], [end[axis] for end in ends])
-        (x0, y0), (x1, y1) = drawn[0], drawn[-1]
-        (mu0, low), (mu1, high) = ends[0], ends[-1]
-        right = max(float(line.get("x2")) for line in with_class(root, "line", "grid"))
-        areas = [self.corners(each) for each in with_class(root, "polygon", "area")]
-        self.assertEqual(len(areas), len(mus))
-        self.assertAlmostEqual(max(x for area in areas for x, _ in area), right)
-        for x, y in (corner for area in areas for corner in area):
-            middle = lambda mu: (mu * mu + mu * 4 / 3) / (1 + mu * mu)
-            mu = mu0 + (mu1 - mu0) * (x - x0) / (x1 - x0)
-            factor = low + (high - low) * (y - y0) / (y1 - y0)
-            self.assertGreater(factor, -0.625 - 0.01)
-            if middle(mu) < 0.8:  # else any climber is held
-                self.assertLess(factor, (middle(mu) - 0.5) / (0.8 - middle(mu)) + 0.01)
+        self.assertEqual(with_class(root, "polygon", "area"), [])
+        self.assertIn("between them nothing is computed", self.text(root))
 
     def test_loads_without_an_end_run_to_the_frame(self):
         points = self.solve("hold", "peg-under-load.toml", "--mu", "0.3,0.4,1.4")["result"]["points"]

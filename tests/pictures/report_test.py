@@ -238,8 +238,7 @@ class Report(KusabiCase):
         self.assertIn("at 13.334 it can.", self.verdict(page))
         self.assertEqual(self.details(page), "One way is pattern 1, with contact at tip; with less friction tip slips.")
         self.solve("patterns", bars, "--mu", 20)
-        self.assertIn("needs a friction coefficient of at least 13.333 times that of each candidate, and with less, tip slips",
-                      self.details(self.page()))
+        self.assertIn("needs a friction coefficient of 13.334 times that of each candidate; with less, tip slips", self.details(self.page()))
         # Two patterns of 27, and a bracket that is open below.
         self.solve("patterns", "space-truss.toml", "--mu", 0.65, "--node-limit", 60)
         self.assertIn("Of those known, pattern ", self.details(self.page()))
@@ -386,7 +385,62 @@ class Report(KusabiCase):
         page = self.page()
         self.assertEqual(page.with_id("held").tag, "svg")
         self.assertEqual(self.rows(page, "Factors of the reference load that can be held"), rows)
+        self.assertEqual(page.with_id("loads").text().count("proved"), 5)
+        # Nothing is drawn between the coefficients of the call.
+        self.assertEqual([each for each in page.with_id("held").all("polygon") if "area" in each.kinds()], [])
         self.assertEqual(page.with_id("loads").text().count("no end"), 7)  # six cells and the legend
+
+    def test_shows_a_state_within_its_interval(self):
+        # At exactly one factor, 3/7 as a double: no end may be rounded, neither of the factor nor of its state.
+        text = """name = "seesaw"
+dimension = 2
+units = { length = "m", force = "N" }
+[nodes]
+a = [0, 0]
+b = [0.3, 0.1]
+c = [-0.7, 0.1]
+[[members]]
+EA = 1
+between = [["a", "b"], ["b", "c"], ["a", "c"]]
+[[contact]]
+nodes = ["a"]
+normal = [0, 1]
+[[loads]]
+kind = "dead"
+nodes = ["b"]
+force = [0, -1]
+[[loads]]
+kind = "reference"
+nodes = ["c"]
+force = [0, -1]
+"""
+        place = self.folder / "seesaw.toml"
+        place.write_text(text)
+        (interval,) = map(with_ends, self.solve("hold", place, "--mu", 0.5)["result"]["intervals"])
+        self.assertEqual(interval["low"], interval["high"])
+        page = self.page()
+        (answer,) = page.with_class("answer")
+        shown = re.findall(r"(\S+)\s+\(computed\)", answer.text())
+        self.assertEqual([float(each) for each in shown], [interval["low"]] * 2)
+        self.assertEqual(float(re.search(r"at factor (\S+)", answer.text())[1]), interval["low"])
+        # Held up to 3.499999997…: the state is not at 3.5, and what its reactions need is not beyond the friction.
+        (interval,) = map(with_ends, self.solve("hold", "ladder.toml", "--mu", 0.5)["result"]["intervals"])
+        page = self.page()
+        (answer,) = page.with_class("answer")
+        shown = re.search(r"at factor (\S+)", answer.text())[1]
+        self.assertTrue(interval["low"] <= float(shown) <= interval["high"], shown)
+        (needed,) = (each.text() for each in answer.all("dd") if "needed" in each.kinds())
+        self.assertEqual(float(needed), 0.5)
+        self.assertEqual(answer.text().count("(proved)"), 2)
+
+    def test_rounds_the_friction_that_reactions_need_up(self):
+        result = self.solve("patterns", "space-truss.toml", "--mu", 0.65)
+        page = self.page()
+        exact = [max(math.hypot(*force[1:]) / force[0] for force in pattern["reaction"] if force[0] > 0) for pattern in result["result"]["patterns"]]
+        for answer in page.with_class("answer"):
+            (needed,) = (float(each.text()) for each in answer.all("dd") if "needed" in each.kinds())
+            number = int(answer.attributes["data-number"])
+            self.assertTrue(exact[number - 1] <= needed <= exact[number - 1] + 1e-5, (number, needed))
 
     def test_shows_a_limit_load(self):
         result = self.solve("limit", "gust.toml", "--alpha", 0.5)

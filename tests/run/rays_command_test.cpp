@@ -216,7 +216,8 @@ TEST_F(RaysCommand, ProvesTheMaximalConesOrThatThereIsNoRay) {
   EXPECT_THAT(table, HasSubstr(fmt::format("in {} maximal cones (proved)",
                                            found["result"]["cones"].size())));
   const auto page = shell(command + " report " + argument("rays.json"));
-  EXPECT_THAT(page.output, HasSubstr("Exact arithmetic proves that the rays are in"));
+  EXPECT_THAT(page.output, HasSubstr("exact arithmetic proves these cones, and that there is no "
+                                     "other."));
   const auto [none, sentence] = verdict_of(plane_truss + " --mu 0.45");
   EXPECT_EQ(none["result"]["standing"], "proved");
   EXPECT_EQ(none["result"]["grounds"], "exact-arithmetic");
