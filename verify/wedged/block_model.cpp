@@ -47,10 +47,13 @@ class LargestRows {
   }
 
   /// Those of some rows that remove a mode, until the displacements of the others in these rows are
-  /// at most a share of the first.
+  /// at most a share of all that are left at first.
   std::vector<std::size_t> take(const std::vector<std::size_t>& rows, double negligible) {
     std::vector<std::size_t> taken;
-    double first = 0;
+    double largest = 0;
+    for (const auto& mode : modes_)
+      for (const auto& each : mode.displacements)
+        largest = std::max(largest, std::abs(each.get_d()));
     while (!modes_.empty()) {
       double maximum = 0;
       std::size_t best = 0;
@@ -64,8 +67,7 @@ class LargestRows {
           pivot = mode;
         }
       }
-      if (maximum <= negligible * first) break;
-      first = std::max(first, maximum);
+      if (maximum <= negligible * largest) break;
       remove(pivot, best);
       taken.push_back(best);
     }

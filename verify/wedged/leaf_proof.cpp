@@ -6,8 +6,11 @@
 // digits then: an arch of 24 voussoirs took ten times as long.
 #include "verify/wedged/leaf_proof.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "verify/arithmetic/balance.hpp"
 
 namespace kusabi::verify {
 namespace {
@@ -69,9 +72,9 @@ std::optional<std::string> LeafProof::refusal() {
     grounding = model_.grounding(contact_);
     stiffness = &model_.regularised(grounding.springs);
     for (const auto row : grounding.held) held_[row] = true;
-    if (auto why = refusal_of_reactions(grounding.unseen)) return why;
   }
   if (auto why = read_numbers()) return why;
+  if (auto why = balance(grounding.unseen)) return why;
   if (!stiffness->min_eigenvalue())
     return "K is not proved to be positive definite if its contacts are fixed along their normals";
   if (!grounding.sliding.empty()) add_motion(*stiffness, grounding.sliding);
@@ -81,27 +84,49 @@ std::optional<std::string> LeafProof::refusal() {
   });
 }
 
-// Modes that are zero, exactly, at all reactions of U, and on which the load does no work: reactions
-// r_S that are in equilibrium with the others do none either, and vanish if these modes displace S
-// independently.
-std::optional<std::string> LeafProof::refusal_of_reactions(
-    const std::vector<std::size_t>& unseen) const {
+// Modes V that displace neither the normals of U nor T, exactly: reactions there do no work on them.
+// The others are changed such that they, with the load, do none either. Then the reactions at S do
+// no work, and vanish if V displaces S independently.
+std::optional<std::string> LeafProof::balance(const std::vector<std::size_t>& unseen) {
+  constexpr auto not_balanced = "its tangential reactions are not in equilibrium";
   if (unseen.empty()) return {};
   Elimination rest(model_.motions());
-  for (const int i : contact_) {
-    const auto own = static_cast<std::size_t>(i);
-    const std::size_t directions = block_.friction[own] == 0 ? 1 : block_.dimension;
-    for (std::size_t k = 0; k < directions; ++k)
-      rest.add_equation(block_.motions.rows[block_.dimension * own + k]);
+  for (const int i : contact_)
+    rest.add_equation(block_.motions.rows[block_.dimension * static_cast<std::size_t>(i)]);
+  for (std::size_t row = 0; row < held_.size(); ++row) {
+    if (held_[row] && std::ranges::find(unseen, row) == unseen.end())
+      rest.add_equation(block_.motions.rows[row]);
   }
-  for (const auto& motion : rest.basis()) {
-    if (!work_.empty() && sgn(dot(work_, motion)) != 0)
-      return "its load does work on a rigid-body mode that no contact resists";
-  }
+  const auto modes = rest.basis();
   for (const auto row : unseen)
-    if (!rest.add_equation(block_.motions.rows[row]))
-      return "its tangential reactions are not in equilibrium";
+    if (!rest.add_equation(block_.motions.rows[row])) return not_balanced;
+  std::vector<Rationals> rows;
+  Rationals forces;
+  std::vector<double> room;
+  const auto add = [&](const Rationals& motions, double force, bool changes) {
+    auto& own = rows.emplace_back();
+    for (const auto& mode : modes) own.push_back(dot(motions, mode));
+    forces.emplace_back(force);
+    room.push_back(changes ? 1 : 0);
+  };
+  for (std::size_t row = 0; row < held_.size(); ++row) {
+    const auto length = block_.motions.lengths[row].nearest();
+    add(block_.motions.rows[row], tangential_[row].nearest() / length, has_given_reaction(row));
+  }
+  if (!work_.empty()) add(work_, 1, false);  // the load is not changed
+  auto exact = balanced(rows, std::move(forces), room);
+  if (!exact) return not_balanced;
+  exact->resize(held_.size());
+  auto near = times_lengths(block_.motions, *exact);
+  tangential_ = std::move(near.values);
+  tangential_error_ = near.error * Dyadic(static_cast<double>(held_.size()));
   return {};
+}
+
+bool LeafProof::has_given_reaction(std::size_t row) const {
+  const auto own = row / block_.dimension;
+  return row % block_.dimension != 0 && contains(contact_, own) && block_.friction[own] != 0 &&
+         !held_[row];
 }
 
 std::optional<std::string> LeafProof::read_numbers() {
@@ -116,7 +141,8 @@ std::optional<std::string> LeafProof::read_numbers() {
       if (block_.friction[i] == 0 && *number != 0) {
         return block_.names[i] + " has no friction, but a tangential reaction";
       }
-      tangential[d * i + k] = *number++;
+      if (!held_[d * i + k]) tangential[d * i + k] = *number;
+      ++number;
     }
   }
   tangential_ = DyadicList(tangential);
@@ -134,7 +160,7 @@ DyadicList LeafProof::right() const {
 // the load f - K v.
 void LeafProof::close_gaps(const RegularisedStiffness& stiffness) {
   forces_ = load_forces_;
-  force_error_ = load_error_;
+  force_error_ = load_error_ + tangential_error_;
   const auto closing = norm_above(closing_);
   if (closing.sign() == 0) return;
   if (forces_.size() == 0) forces_ = DyadicList(closing_.size());
@@ -191,7 +217,7 @@ Dyadic LeafProof::shear_above(const Dyadic& s, const DyadicList& reaction, const
     sum = sum + square(held_[row] ? reaction[row] : tangential_[row]);
   }
   const auto shear = s * sqrt_above(sum);
-  return computed ? shear + error : shear;
+  return shear + (computed ? error : s * tangential_error_);
 }
 
 std::optional<std::string> LeafProof::check_feasible(const RegularisedStiffness& stiffness,

@@ -38,9 +38,11 @@ class LeafProof {
   // Adds the load, and the forces that would close the gaps of U.
   void add_load(LoadShare share);
   [[nodiscard]] std::optional<std::string> read_numbers();
-  // Exact test that the reactions at displacements without friction or contact vanish.
-  [[nodiscard]] std::optional<std::string> refusal_of_reactions(
-      const std::vector<std::size_t>& unseen) const;
+  // Changes the tangential reactions such that none remain at displacements without a contact, and
+  // without friction.
+  [[nodiscard]] std::optional<std::string> balance(const std::vector<std::size_t>& unseen);
+  // True for tangents of U with friction, unless held.
+  [[nodiscard]] bool has_given_reaction(std::size_t row) const;
   // The forces that close the gaps of U, with the motion.
   void close_gaps(const RegularisedStiffness& stiffness);
   // Moves the body such that its mean motion becomes the recorded one.
@@ -61,7 +63,8 @@ class LeafProof {
   Grip* grip_;
   std::vector<bool> held_;             // dm: displacements without a given reaction, except normals
   std::vector<std::size_t> unknowns_;  // all displacements except these and the normal ones of U
-  DyadicList tangential_;              // r of the tangents of U
+  DyadicList tangential_;              // given r of the tangents of U, else zero
+  Dyadic tangential_error_;            // bound of the norm of their error
   std::vector<double> mean_;  // the recorded mean motion, in coefficients of the block's modes
   DyadicList closing_;        // dm: displacements at the normals of U and where held, else zero
   ApproximateList motion_;    // G a, added to all displacements
