@@ -195,6 +195,20 @@ class HoldCertificate(KusabiCase):
             with self.subTest(push=push):
                 self.assertEqual(run.returncode, code, run.stdout + run.stderr)
 
+    def test_motions_that_are_rounded_to_zero_count(self):
+        cases = SOURCES / "tests" / "cases"
+        run, said = self.verified(cases / "rounded_motion.cert", cases / "rounded_motion.toml")
+        self.assertEqual(run.returncode, 1, said)
+        self.assertIn("A is not pressed against the obstacle", said)
+
+    def test_motions_beyond_all_doubles_are_refused(self):
+        body = without_digest(self.written(self.problem(BOX + LOAD.format('"bl", "br"', [0.15, -0.5])), "--mu", "0.5"))
+        forged = self.folder / "forged"
+        forged.write_text(sealed(re.sub(r"(?m)^(held 1 .*) \S+ \S+$", r"\1 0x1.fp+1023 0x1.fp+1023", body)))
+        for words in ((), ("--problem", self.folder / "problem.toml")):
+            run = self.kusabi("verify", forged, *words)
+            self.assertEqual(run.returncode, 1, run.stdout + run.stderr)
+
     def test_equilibrium_alone_excludes_loads_beside_wedged_configurations(self):
         # The box of hold_test slides up to a coefficient of 0.3; the wedge in its groove can be clamped from 0.268 on.
         place = self.folder / "box.toml"

@@ -41,7 +41,7 @@ class LargestRows {
       mode.coefficients[k] = 1;
       for (std::size_t row = 0; row < motions.rows.size(); ++row) {
         mode.displacements.emplace_back(motions.rows[row][k], digits);
-        mode.displacements.back() /= motions.lengths[row].nearest();
+        mode.displacements.back() /= Number(motions.lengths[row].rational(), digits);
       }
     }
   }

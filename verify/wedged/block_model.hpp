@@ -52,8 +52,8 @@ struct ActingLoad {
   Rationals work;   ///< on the modes, p
 };
 
-/// Grounding springs for the rigid-body modes: as many normal displacements of U as resist modes,
-/// then tangential ones of U with friction, then others.
+/// Grounding springs for the rigid-body modes: normal displacements of U as long as these are not
+/// small beside all others, then tangential ones of U with friction, likewise, then others.
 struct Grounding {
   std::vector<std::size_t> springs;  ///< p, in increasing order
   std::vector<std::size_t> held;     ///< those that are not normal displacements of U

@@ -147,6 +147,7 @@ std::optional<std::string> LeafProof::read_numbers() {
   }
   tangential_ = DyadicList(tangential);
   if (model_.motions() > 0) mean_ = model_.own_coefficients(numbers_.last(model_.motions()));
+  if (!all_finite(mean_)) return "its numbers are too large to compute with";
   return {};
 }
 
@@ -157,10 +158,11 @@ DyadicList LeafProof::right() const {
 }
 
 // With v the displacements that close the gaps, u = u' + v: u' is zero at the normals of U under
-// the load f - K v.
+// the load f - K v. The motion at the normals is rounded, be it to zero.
 void LeafProof::close_gaps(const RegularisedStiffness& stiffness) {
+  const Dyadic count(static_cast<double>(held_.size()));
   forces_ = load_forces_;
-  force_error_ = load_error_ + tangential_error_;
+  force_error_ = load_error_ + tangential_error_ + stiffness.norm() * count * motion_.error;
   const auto closing = norm_above(closing_);
   if (closing.sign() == 0) return;
   if (forces_.size() == 0) forces_ = DyadicList(closing_.size());
@@ -168,8 +170,6 @@ void LeafProof::close_gaps(const RegularisedStiffness& stiffness) {
   for (auto& mantissa : opposite.mantissas) mantissa = -mantissa;
   forces_ += std::move(opposite);
   force_error_ = force_error_ + block_.stiffness.radius * closing;
-  const Dyadic count(static_cast<double>(held_.size()));
-  force_error_ = force_error_ + stiffness.norm() * count * motion_.error;
 }
 
 // The displacements x without a motion are computed first. The sliding modes then move them such
