@@ -33,7 +33,7 @@ std::optional<Rationals> changed(const std::vector<Rationals>& rows, Rationals n
     if (products[i][i] > largest) largest = products[i][i];
   }
   for (std::size_t i = 0; i < q; ++i) products[i][i] += added_share * largest;
-  const auto multipliers = solution(std::move(products), std::move(right));
+  const auto multipliers = solution(std::move(products), right);
   if (!multipliers) return {};
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (room[k] != 0)

@@ -34,7 +34,7 @@ std::optional<std::pair<Columns, Dyadic>> pseudo_inverse(const ContactMotions& m
   for (std::size_t k = 0; k < p; ++k) {
     Rationals unit(p);
     unit[k] = 1;
-    const auto near = restricted_to_candidates(motions, *solution(gram, std::move(unit)));
+    const auto near = restricted_to_candidates(motions, *solution(gram, unit));
     auto& column = columns.emplace_back();
     for (std::size_t row = 0; row < near.values.size(); ++row) column.push_back(near.values[row]);
     error = larger(error, near.error);

@@ -87,7 +87,7 @@ std::optional<Dyadic> EquilibriumMultipliers::carried_by_springs(const std::vect
     auto& load = loads.emplace_back();
     for (std::size_t k = 0; k < rows.size(); ++k) load += forces[k] * rows[k][motion];
   }
-  const auto shares = solution(std::move(equations), std::move(loads));
+  const auto shares = solution(std::move(equations), loads);
   if (!shares) return {};
   Rationals everywhere(block_.motions.rows.size());
   for (std::size_t k = 0; k < springs.size(); ++k) everywhere[springs[k]] = (*shares)[k];

@@ -33,7 +33,7 @@ std::optional<MotionsOfForm> motions_of_form(const BlockModel& model,
   for (std::size_t j = 0; j < springs.size(); ++j) {
     Rationals right(springs.size());
     right[j] = 1;
-    const auto shares = solution(rows, std::move(right));
+    const auto shares = solution(rows, right);
     if (!shares) return {};
     auto seen = restricted_to_candidates(block.motions, *shares);
     if (springs[j] % d == 0) {

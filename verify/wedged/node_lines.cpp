@@ -126,8 +126,8 @@ State read_state(Lines& lines, bool wedged, const Certificate& certificate) {
 template <class Item, class Key>
 void leave_out_repeated(std::vector<Item>& items, Key key) {
   std::ranges::stable_sort(items, {}, key);
-  const auto [first, last] = std::ranges::unique(items, {}, key);
-  items.erase(first, last);
+  const auto same = [&](const Item& a, const Item& b) { return key(a) == key(b); };
+  items.erase(std::unique(items.begin(), items.end(), same), items.end());
   std::ranges::sort(items, {}, &Item::line);
 }
 
