@@ -196,8 +196,8 @@ class HoldCertificate(KusabiCase):
                 self.assertEqual(run.returncode, code, run.stdout + run.stderr)
 
     def test_motions_that_are_rounded_to_zero_count(self):
-        cases = SOURCES / "tests" / "cases"
-        run, said = self.verified(cases / "rounded_motion.cert", cases / "rounded_motion.toml")
+        folder = SOURCES / "tests" / "verify"
+        run, said = self.verified(folder / "rounded_motion.cert", folder / "rounded_motion.toml")
         self.assertEqual(run.returncode, 1, said)
         self.assertIn("A is not pressed against the obstacle", said)
 

@@ -94,6 +94,7 @@ std::optional<std::string> flaw_of_cover(const Certificate& certificate, std::si
       all.push_back({state.line, "wedged", state.contact, state.separated});
   }
   std::vector<ClosedPart*> parts;
+  parts.reserve(all.size());
   for (auto& part : all) parts.push_back(&part);
   auto flaw = Cover(certificate, certificate.blocks[about.block]).flaw(parts, {}, {});
   if (flaw && certificate.blocks.size() > 1)
