@@ -27,7 +27,7 @@ kusabi patterns examples/two-bars.toml --mu 2.5 --output two.json
 …
     1   5.000e-01  tip
 …
-It can stick …
+Yes, it can stick …
 ```
 
 <!-- exit code: 2 -->
@@ -106,7 +106,7 @@ class Docs(unittest.TestCase):
         self.assertEqual(self.faults(PAGE), [])
         for old, new, what in (
                 ("5.000e-01", "5.100e-01", "page.md:13: '5.100e-01 tip"), ("01  tip", "01  all", "page.md:13: 'all"),
-                ("…\nIt can", "It can", "page.md:13: "), ("stick …", "stick", "page.md:13: 'nothing'; expected"),
+                ("…\nYes, it can", "Yes, it can", "page.md:13: "), ("stick …", "stick", "page.md:13: 'nothing'; expected"),
                 ("2.501", "2.5100", "page.md:"), ("    3\n", "    4\n", "'4'; expected '3'"),
                 ("code: 2", "code: 0", "exit code 2; expected 0: nowhere.toml"), ("a year -->", "a month -->", "'year'; expected 'month'"),
                 ("printed by:\n", "printed by\n", "page.md:47: comment is not read; expected <!-- printed by: "),
