@@ -140,43 +140,18 @@ struct Pivot {
   std::size_t row, column;
 };
 
-// Equations row'x = right as rows of integers, right last, in an order of elimination.
+// Equations row'x = right for several right-hand sides, as rows of integers with the right-hand
+// sides last, in an order of elimination.
 class Equations {
  public:
-  Equations(std::vector<Rationals> rows, const Rationals& right) {
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      rows[i].push_back(right[i]);
-      rows_.push_back(integers_of(rows[i]));
-    }
+  // @param rows of coefficients, followed by their right-hand sides
+  Equations(const std::vector<Rationals>& rows, std::size_t unknowns) : unknowns_(unknowns) {
+    rows_.reserve(rows.size());
+    for (const auto& row : rows) rows_.push_back(integers_of(row));
   }
 
-  // The row with the fewest entries that are not zero, and the column of the fewest among those of
-  // the row: equations of bodies that touch few others then fill in little.
-  // @return nothing if no equation is left
-  std::optional<Pivot> next(const std::vector<std::size_t>& left) const {
-    std::optional<Pivot> best;
-    std::size_t fewest = 0;
-    for (const auto i : left) {
-      const auto entries = static_cast<std::size_t>(
-          std::count_if(rows_[i].begin(), rows_[i].end() - 1, [](auto& x) { return sgn(x) != 0; }));
-      if (entries == 0 || (best && entries >= fewest)) continue;
-      best = Pivot{i, 0};
-      fewest = entries;
-    }
-    if (!best) return {};
-    fewest = left.size() + 1;
-    for (std::size_t column = 0; column + 1 < rows_[best->row].size(); ++column) {
-      if (sgn(rows_[best->row][column]) == 0) continue;
-      const auto entries = static_cast<std::size_t>(
-          std::ranges::count_if(left, [&](auto i) { return sgn(rows_[i][column]) != 0; }));
-      if (entries >= fewest) continue;
-      best->column = column;
-      fewest = entries;
-    }
-    return best;
-  }
-
-  std::optional<Rationals> solve(std::size_t unknowns) {
+  // A solution for each right-hand side. @return nothing if one of them has none
+  std::optional<std::vector<Rationals>> solve() {
     std::vector<std::size_t> left(rows_.size());
     std::iota(left.begin(), left.end(), std::size_t{0});
     std::vector<Pivot> pivots;
@@ -187,19 +162,58 @@ class Equations {
           eliminate(rows_[i], rows_[pivot->row], pivot->column);
       pivots.push_back(*pivot);
     }
-    if (std::ranges::any_of(left, [&](auto i) { return sgn(rows_[i].back()) != 0; })) return {};
-    return substituted(pivots, unknowns);
+    const auto is_zero = [&](std::size_t i) { return entries(i, rows_[i].size()) == 0; };
+    if (!std::ranges::all_of(left, is_zero)) return {};
+    std::vector<Rationals> solutions;
+    const std::size_t sides = rows_.empty() ? 0 : rows_.front().size() - unknowns_;
+    solutions.reserve(sides);
+    for (std::size_t side = 0; side < sides; ++side)
+      solutions.push_back(substituted(pivots, unknowns_ + side));
+    return solutions;
   }
 
  private:
+  // The number of entries of a row that are not zero, of the first `size`.
+  std::size_t entries(std::size_t row, std::size_t size) const {
+    const auto begin = rows_[row].begin();
+    return static_cast<std::size_t>(std::count_if(begin, begin + static_cast<std::ptrdiff_t>(size),
+                                                  [](auto& x) { return sgn(x) != 0; }));
+  }
+
+  // The row with the fewest entries that are not zero, and the column of the fewest among those of
+  // the row: equations of bodies that touch few others then fill in little.
+  // @return nothing if no equation is left
+  std::optional<Pivot> next(const std::vector<std::size_t>& left) const {
+    std::optional<Pivot> best;
+    std::size_t fewest = 0;
+    for (const auto i : left) {
+      const auto own = entries(i, unknowns_);
+      if (own == 0 || (best && own >= fewest)) continue;
+      best = Pivot{i, 0};
+      fewest = own;
+    }
+    if (!best) return {};
+    fewest = left.size() + 1;
+    for (std::size_t column = 0; column < unknowns_; ++column) {
+      if (sgn(rows_[best->row][column]) == 0) continue;
+      const auto own = static_cast<std::size_t>(
+          std::ranges::count_if(left, [&](auto i) { return sgn(rows_[i][column]) != 0; }));
+      if (own >= fewest) continue;
+      best->column = column;
+      fewest = own;
+    }
+    return best;
+  }
+
   // The unknowns have a common denominator; those without a pivot are zero.
-  Rationals substituted(const std::vector<Pivot>& pivots, std::size_t unknowns) const {
-    Integers x(unknowns);
+  // @param right column of the right-hand side
+  Rationals substituted(const std::vector<Pivot>& pivots, std::size_t right) const {
+    Integers x(unknowns_);
     mpz_class denominator = 1;
     for (auto pivot = pivots.rbegin(); pivot != pivots.rend(); ++pivot) {
       const auto& row = rows_[pivot->row];
-      mpz_class rest = row.back() * denominator;
-      for (std::size_t k = 0; k < unknowns; ++k)
+      mpz_class rest = row[right] * denominator;
+      for (std::size_t k = 0; k < unknowns_; ++k)
         if (sgn(row[k]) != 0 && sgn(x[k]) != 0) rest -= row[k] * x[k];
       const mpz_class common = gcd(rest, row[pivot->column]);
       const mpz_class factor = row[pivot->column] / common;
@@ -214,14 +228,28 @@ class Equations {
     return result;
   }
 
+  std::size_t unknowns_;
   std::vector<Integers> rows_;
 };
 
 }  // namespace
 
 std::optional<Rationals> solution(std::vector<Rationals> rows, const Rationals& right) {
-  const std::size_t unknowns = rows.empty() ? 0 : rows.front().size();
-  return Equations(std::move(rows), right).solve(unknowns);
+  if (rows.empty()) return Rationals();
+  const std::size_t unknowns = rows.front().size();
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].push_back(right[i]);
+  auto solutions = Equations(rows, unknowns).solve();
+  if (!solutions) return {};
+  return std::move(solutions->front());
+}
+
+std::optional<std::vector<Rationals>> inverse_columns(std::vector<Rationals> rows) {
+  const std::size_t size = rows.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    rows[i].resize(2 * size);
+    rows[i][size + i] = 1;
+  }
+  return Equations(rows, size).solve();
 }
 
 }  // namespace kusabi::verify

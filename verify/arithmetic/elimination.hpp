@@ -54,4 +54,8 @@ class Elimination {
 /// A solution x of row'x = right for all rows. @return nothing if there is none
 std::optional<Rationals> solution(std::vector<Rationals> rows, const Rationals& right);
 
+/// The columns of the inverse of a square matrix, given by its rows. @return nothing if it is
+/// singular
+std::optional<std::vector<Rationals>> inverse_columns(std::vector<Rationals> rows);
+
 }  // namespace kusabi::verify

@@ -223,6 +223,11 @@ DyadicList& DyadicList::operator+=(DyadicList other) {
   return *this;
 }
 
+DyadicList& DyadicList::operator-=(DyadicList other) {
+  for (auto& mantissa : other.mantissas) mpz_neg(mantissa.get_mpz_t(), mantissa.get_mpz_t());
+  return *this += std::move(other);
+}
+
 DyadicList DyadicMatrix::operator*(const DyadicList& x) const {
   DyadicList product;
   product.exponent = entries.exponent + x.exponent;

@@ -103,8 +103,9 @@ struct DyadicList {
   /// `count` zeros.
   explicit DyadicList(std::size_t count) : mantissas(count) {}
 
-  /// Adds a list of the same size, entry by entry.
+  /// Adds or subtracts a list of the same size, entry by entry.
   DyadicList& operator+=(DyadicList other);
+  DyadicList& operator-=(DyadicList other);
 
   [[nodiscard]] std::size_t size() const { return mantissas.size(); }
   [[nodiscard]] Dyadic operator[](std::size_t i) const { return {mantissas[i], exponent}; }

@@ -26,15 +26,12 @@ std::optional<std::pair<Columns, Dyadic>> pseudo_inverse(const ContactMotions& m
       for (const auto& row : motions.rows) gram[i][j] += row[i] * row[j];
     }
   }
-  Elimination independent(p);
-  for (const auto& row : gram) independent.add_equation(row);
-  if (!independent.basis().empty()) return {};
+  const auto inverse = inverse_columns(std::move(gram));
+  if (!inverse) return {};
   Columns columns;
   Dyadic error;
-  for (std::size_t k = 0; k < p; ++k) {
-    Rationals unit(p);
-    unit[k] = 1;
-    const auto near = restricted_to_candidates(motions, *solution(gram, unit));
+  for (const auto& shares : *inverse) {
+    const auto near = restricted_to_candidates(motions, shares);
     auto& column = columns.emplace_back();
     for (std::size_t row = 0; row < near.values.size(); ++row) column.push_back(near.values[row]);
     error = larger(error, near.error);

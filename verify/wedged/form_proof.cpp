@@ -29,20 +29,19 @@ std::optional<MotionsOfForm> motions_of_form(const BlockModel& model,
   std::vector<Rationals> rows;
   rows.reserve(springs.size());
   for (const auto spring : springs) rows.push_back(block.motions.rows[spring]);
+  const auto inverse = inverse_columns(std::move(rows));
+  if (!inverse) return {};
   MotionsOfForm result;
   for (std::size_t j = 0; j < springs.size(); ++j) {
-    Rationals right(springs.size());
-    right[j] = 1;
-    const auto shares = solution(rows, right);
-    if (!shares) return {};
-    auto seen = restricted_to_candidates(block.motions, *shares);
+    const auto& shares = (*inverse)[j];
+    auto seen = restricted_to_candidates(block.motions, shares);
     if (springs[j] % d == 0) {
       result.lifting.push_back(std::move(seen));
       continue;
     }
     Dyadic sum;
     for (std::size_t row = 0; row < d * model.candidates(); row += d)
-      if (sgn(dot(block.motions.rows[row], *shares)) != 0)
+      if (sgn(dot(block.motions.rows[row], shares)) != 0)
         sum = sum + square(absolute(seen.values[row]) + seen.error);
     const auto length = block.motions.lengths[springs[j]] * (Dyadic(1.0) + block.motions.spread);
     result.lifted_by_sliding =

@@ -47,7 +47,10 @@ LeafProof::LeafProof(const BlockModel& model, const support::IndexSet& contact,
       numbers_(numbers),
       grip_(grip),
       held_(block_.dimension * model.candidates(), false),
-      closing_(held_.size()) {
+      closing_(held_.size()),
+      motion_{DyadicList(held_.size()), Dyadic()},
+      load_forces_(held_.size()),
+      gaps_(model.candidates()) {
   if (share) add_load(*share);
 }
 
@@ -79,7 +82,7 @@ std::optional<std::string> LeafProof::refusal() {
     return "K is not proved to be positive definite if its contacts are fixed along their normals";
   if (!grounding.sliding.empty()) add_motion(*stiffness, grounding.sliding);
   close_gaps(*stiffness);
-  return stiffness->solve(unknowns_, right(), [&](const auto& u, const auto& r, const auto& off) {
+  return stiffness->solve(unknowns_, right_, [&](const auto& u, const auto& r, const auto& off) {
     return check_feasible(*stiffness, u, r, off);
   });
 }
@@ -151,12 +154,6 @@ std::optional<std::string> LeafProof::read_numbers() {
   return {};
 }
 
-DyadicList LeafProof::right() const {
-  auto result = tangential_;
-  if (forces_.size() > 0) result += forces_;
-  return result;
-}
-
 // With v the displacements that close the gaps, u = u' + v: u' is zero at the normals of U under
 // the load f - K v. The motion at the normals is rounded, be it to zero.
 void LeafProof::close_gaps(const RegularisedStiffness& stiffness) {
@@ -164,12 +161,12 @@ void LeafProof::close_gaps(const RegularisedStiffness& stiffness) {
   forces_ = load_forces_;
   force_error_ = load_error_ + tangential_error_ + stiffness.norm() * count * motion_.error;
   const auto closing = norm_above(closing_);
-  if (closing.sign() == 0) return;
-  if (forces_.size() == 0) forces_ = DyadicList(closing_.size());
-  auto opposite = block_.stiffness.middle * closing_;
-  for (auto& mantissa : opposite.mantissas) mantissa = -mantissa;
-  forces_ += std::move(opposite);
-  force_error_ = force_error_ + block_.stiffness.radius * closing;
+  if (closing.sign() != 0) {
+    forces_ -= block_.stiffness.middle * closing_;
+    force_error_ = force_error_ + block_.stiffness.radius * closing;
+  }
+  right_ = tangential_;
+  right_ += forces_;
 }
 
 // The displacements x without a motion are computed first. The sliding modes then move them such
@@ -182,7 +179,7 @@ void LeafProof::add_motion(const RegularisedStiffness& stiffness,
   DyadicList at_rest;
   close_gaps(stiffness);
   const auto ignored =
-      stiffness.solve(unknowns_, right(),
+      stiffness.solve(unknowns_, right_,
                       [&](const auto& u, const auto&, const auto&) -> std::optional<std::string> {
                         const bool accurate = ++check > checks_of_first && has_settled(at_rest, u);
                         at_rest = u;
@@ -207,14 +204,14 @@ void LeafProof::add_motion(const RegularisedStiffness& stiffness,
   closing_ += DyadicList(moved);
 }
 
-Dyadic LeafProof::shear_above(const Dyadic& s, const DyadicList& reaction, const Dyadic& error,
+Dyadic LeafProof::shear_above(const Dyadic& s, const DyadicList& r, const Dyadic& error,
                               std::size_t candidate) const {
   const auto d = block_.dimension;
   bool computed = false;
   Dyadic sum;
   for (std::size_t row = d * candidate + 1; row < d * (candidate + 1); ++row) {
     computed = computed || held_[row];
-    sum = sum + square(held_[row] ? reaction[row] : tangential_[row]);
+    sum = sum + square(held_[row] ? reaction(r, row) : tangential_[row]);
   }
   const auto shear = s * sqrt_above(sum);
   return shear + (computed ? error : s * tangential_error_);
@@ -225,40 +222,30 @@ std::optional<std::string> LeafProof::check_feasible(const RegularisedStiffness&
                                                      const Dyadic& unknown) const {
   const auto d = block_.dimension;
   const auto& s = *stiffness.min_eigenvalue();
-  const auto wanted = right();
   Dyadic rest_squared;
-  for (const auto row : unknowns_) rest_squared = rest_squared + square(r[row] - wanted[row]);
+  for (const auto row : unknowns_) rest_squared = rest_squared + square(r[row] - right_[row]);
   // s times the errors of u and of K u minus the load
   const auto rest = sqrt_above(rest_squared) + unknown + force_error_;
   const auto error = stiffness.norm() * rest + s * (unknown + force_error_);
-  auto reaction = r;  // K u minus the load
-  if (forces_.size() > 0) {
-    auto opposite = forces_;
-    for (auto& mantissa : opposite.mantissas) mantissa = -mantissa;
-    reaction += std::move(opposite);
-  }
+  const auto off = s * motion_.error;
   auto moved = u;
   moved += closing_;
-  Dyadic off;
-  if (motion_.values.size() > 0) {
-    off = s * motion_.error;
-    moved += motion_.values;
-  }
+  moved += motion_.values;
   Dyadic sum;  // s times the sum of the normal reactions, and its error
   Dyadic spread;
   for (std::size_t i = 0; i < model_.candidates(); ++i) {
     const auto& name = block_.names[i];
     if (!contains(contact_, i)) {
-      const auto gap = gaps_.size() > 0 ? moved[d * i] + gaps_[i] : moved[d * i];
-      if (!(s * gap > rest + off)) return name + " is not proved to separate";
+      if (!(s * (moved[d * i] + gaps_[i]) > rest + off)) return name + " is not proved to separate";
       continue;
     }
-    sum = sum + s * reaction[d * i];
+    const auto normal = s * reaction(r, d * i);
+    sum = sum + normal;
     spread = spread + error;
-    const auto pressure = s * reaction[d * i] - error;
+    const auto pressure = normal - error;
     if (pressure.sign() <= 0) return name + " is not pressed against the obstacle";
     if (model_.friction()[i].sign() == 0) continue;  // r_t = 0 is required
-    if (!(model_.friction()[i] * pressure > shear_above(s, reaction, error, i)))
+    if (!(model_.friction()[i] * pressure > shear_above(s, r, error, i)))
       return name + " slips, or is at the limit of friction";
   }
   if (grip_ != nullptr) {

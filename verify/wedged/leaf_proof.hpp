@@ -47,13 +47,15 @@ class LeafProof {
   void close_gaps(const RegularisedStiffness& stiffness);
   // Moves the body such that its mean motion becomes the recorded one.
   void add_motion(const RegularisedStiffness& stiffness, const std::vector<Rationals>& sliding);
-  // Right-hand side: the tangential reactions and the load.
-  [[nodiscard]] DyadicList right() const;
+  // The reaction at a row. @param r K u
+  [[nodiscard]] Dyadic reaction(const DyadicList& r, std::size_t row) const {
+    return r[row] - forces_[row];
+  }
   [[nodiscard]] std::optional<std::string> check_feasible(const RegularisedStiffness& stiffness,
                                                           const DyadicList& u, const DyadicList& r,
                                                           const Dyadic& unknown) const;
-  // Upper bound of |r_t| s. @param error of all reactions times s
-  [[nodiscard]] Dyadic shear_above(const Dyadic& s, const DyadicList& reaction, const Dyadic& error,
+  // Upper bound of |r_t| s. @param r K u  @param error of all reactions times s
+  [[nodiscard]] Dyadic shear_above(const Dyadic& s, const DyadicList& r, const Dyadic& error,
                                    std::size_t candidate) const;
 
   const BlockModel& model_;
@@ -72,6 +74,7 @@ class LeafProof {
   Dyadic load_error_;         // bound of the norm of their error
   DyadicList forces_;         // with those that close the gaps of U
   Dyadic force_error_;        // the same for these
+  DyadicList right_;          // right-hand side: these forces and the tangential reactions
   DyadicList gaps_;           // u_n = -gap on U, m
   Rationals work_;            // of the load on the modes
 };

@@ -1,5 +1,5 @@
 // Holding friction coefficient of a block: trees at coefficients from 0 on, and the coefficient of
-// a leaf by bisection.
+// a leaf by the programs of its pattern.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -152,15 +152,15 @@ void BlockHold::follow(HoldingFriction& found, double minimum) {
     const auto standard = upper->proved() ? Standard::proved : Standard::computed;
     HoldNodes nodes(block_, std::array{LoadShare{1, 0}}, upper->value, parameters_.precision);
     const double start = std::max(found.bracket.at_least(), minimum);
-    const auto result_at = [&](double mu) {
+    const auto answer_at = [&](double mu) {
       nodes.set_friction(mu);
-      return by_standard(nodes.solve(*found.pattern), standard);
+      return by_standard(nodes, *found.pattern, standard);
     };
-    if (start == minimum && result_at(minimum) == HoldResult::feasible) {
+    if (start == minimum && answer_at(minimum).result == HoldResult::feasible) {
       found.bracket.upper->value = minimum;
       return;
     }
-    const Ends ends = bisect({upper->value, start}, 0, result_at);
+    const Ends ends = close_in({upper->value, start}, 0, answer_at);
     found.bracket.upper->value = ends.feasible;
     if (ends.infeasible <= found.bracket.at_least() || prove_lower(found, ends.infeasible)) return;
   }

@@ -2,6 +2,8 @@
 #include "nodes/wedged/hold/hold_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -104,6 +106,7 @@ std::optional<HoldResult> HoldNodes::solve_with_cuts(const LoadedPattern& node) 
 
 HoldResult HoldNodes::solve(const LoadedPattern& node) {
   ++programs_;
+  margin_ = std::numeric_limits<double>::quiet_NaN();
   if (const auto known = solve_with_cuts(node)) return *known;
   const bool leaf = (node.contact | node.separated) == all_;
   if (scales_.empty() && node.separated == all_) {
@@ -113,6 +116,8 @@ HoldResult HoldNodes::solve(const LoadedPattern& node) {
   const auto answer = solver_.solve(node.contact, node.separated, {});
   iterations_ += static_cast<std::uint64_t>(answer.iterations);
   multipliers_ = solver_.multipliers();
+  const double margin = 0.5 * (answer.lower + answer.upper);
+  if (std::isfinite(margin)) margin_ = margin;
   if (answer.sign == conic::Sign::infeasible) return HoldResult::infeasible;
   if (answer.sign == conic::Sign::feasible)
     return leaf ? HoldResult::feasible : HoldResult::unresolved;

@@ -123,6 +123,8 @@ class HoldNodes {
   /// of other leaves; `unloaded`: t* = 0 and no load acts; `unresolved`: neither is known, or a
   /// candidate remains to be decided.
   HoldResult solve(const LoadedPattern& node);
+  /// t* of the last node, the middle of its bounds; not a number if one of them is not known.
+  [[nodiscard]] double margin() const { return margin_; }
 
   /// True if equilibrium alone proves that all reactions and loads of the last node vanish, except
   /// those in its relative interior. The multipliers are then those of this proof.
@@ -176,6 +178,7 @@ class HoldNodes {
   LoadedPattern limit_;
   support::IndexSet limited_to_;  // candidates and loads of the relative interior of the last node
   Eigen::VectorXd multipliers_;   // of the last node
+  double margin_ = 0;             // likewise
   std::uint64_t iterations_ = 0, programs_ = 0;
 };
 
