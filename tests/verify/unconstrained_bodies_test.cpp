@@ -457,6 +457,9 @@ TEST(Elimination, DetectsLinearDependence) {
   EXPECT_FALSE(solution({{1, 2}, {2, 4}}, {1, 3}).has_value());
   const auto x = *solution({{1, 2}, {2, 4}, {0, 1}}, {1, 2, 5});
   EXPECT_EQ(x, (Rationals{-9, 5}));
+  EXPECT_FALSE(inverse_columns({{1, 2}, {2, 4}}).has_value());
+  EXPECT_EQ(*inverse_columns({{0, 2}, {1, mpq_class(1, 3)}}),
+            (std::vector<Rationals>{{mpq_class(-1, 6), mpq_class(1, 2)}, {1, 0}}));
 }
 
 }  // namespace
