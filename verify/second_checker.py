@@ -439,12 +439,12 @@ class Block:
     def excludes_by_motion(self, separated, a, loads, small):
         """Infeasible node with wedged configurations: a motion that leaves the candidates W at rest, and on which the
         loads J, without dead load, do no work, exactly, where the recorded one has less than 1 / small of its largest
-        displacement. (A load with the dead load must be excluded itself.)"""
+        displacement. (A load with the dead load must be excluded itself, unless states under it alone are excepted.)"""
         w, d = self.moved(a), self.d
         most, may = max(map(abs, w)), [k for k in range(self.m) if k not in separated]
         rest = [k * d + j for k in may if all(abs(x) * small < most for x in w[k * d:(k + 1) * d]) for j in range(d)]
         idle = [load for load in loads
-                if not load[0] and abs(dot(w, load[1])) * small <= sum(abs(x * y) for x, y in zip(w, load[1]))]
+                if not load[0] and abs(dot(w, load[1])) * small <= most * sum(map(abs, load[1]))]
         free = null_space([self.G[i] for i in rest] + [self.on_modes(load[1]) for load in idle], self.q)
         motions = [self.moved(x) for x in free]
         amounts = solve([[dot(x, y) for y in motions] for x in motions], [dot(x, w) for x in motions])
@@ -452,6 +452,14 @@ class Block:
         others = self.works(w, 1, [], [load for load in loads if load not in idle])
         return bool(others) and all(L < 0 for L in others) and all(
             self.negative(w, k, 0) or not any(w[k * d:(k + 1) * d]) for k in may)
+
+    def closes_gaps(self, contact, touching):
+        """Whether motions that leave the normal displacements of a contact set zero close the gaps of all others."""
+        if touching != self.set or contact & ~touching:
+            return False
+        sets = [[k for k, i in enumerate(self.candidates) if each >> i & 1] for each in (contact, touching)]
+        free, left = (len(null_space([self.G[k * self.d] for k in each], self.q)) for each in sets)
+        return free - left == len(sets[1]) - len(sets[0])
 
     def excludes_near(self, separated, y, a, add, loads):
         """Infeasible node, except for large displacements: y is in equilibrium up to h = G (G'G)^-1 G'y, whose work is
@@ -588,8 +596,9 @@ class Block:
 class Theorem:
     """`none`: no state of a block is under a load of a cone; without loads, it has no other wedged pattern."""
 
-    def __init__(self, line, block, loads, bound):
+    def __init__(self, line, block, loads, bound, excepted):
         self.line, self.block, self.loads, self.bound = line, block, loads, bound  # bound: of the normal reactions
+        self.excepted = excepted  # states under the dead load alone
         self.nodes, self.far, self.complete = {}, False, False
 
 
@@ -665,11 +674,14 @@ class Contact(Certificate):
             numbers, rest, bound = reader.reals(numbers), rest[:-1], None
             loads = list(zip(numbers[::2], numbers[1::2]))
             reader.check(all(D in (0, 1) for D, _ in loads) and (self.loaded or not loads), "the dead load once or not")
-            if rest:
+            excepted = rest == ["except", "dead"]
+            if excepted:
+                reader.check(len(loads) == 2 and loads.count((1, 0)) == 1, "the dead load and another load")
+            elif rest:
                 reader.check(len(rest) == 2 and loads and not self.total, "a bound of the sum, without a total")
                 bound = reader.choice(rest[0], "above", "below"), reader.real(rest[1])
                 reader.check(bound[1] >= 0, "a sum that is not negative")
-            self.theorems.append(Theorem(reader.at, block, loads, bound))
+            self.theorems.append(Theorem(reader.at, block, loads, bound, excepted))
             if not loads:
                 reader.check(block not in self.of_wedged, "one such theorem of a block")
                 self.of_wedged[block] = self.theorems[-1]
@@ -717,7 +729,7 @@ class Contact(Certificate):
             reader.check(len(numbers) == expected.get(key, 0), f"{expected.get(key, 0)} numbers")
         # Of the statements about a node the first is used, and the others must agree with it.
         claim = key if key in ("wedged", "marginal") else "infeasible"
-        theorem = theorem or self.of_wedged.setdefault(block, Theorem(line, block, [], None))
+        theorem = theorem or self.of_wedged.setdefault(block, Theorem(line, block, [], None, False))
         known = theorem.nodes.get(node)
         theorem.nodes.setdefault(node, claim)
         if known:
@@ -744,7 +756,8 @@ class Contact(Certificate):
         theta, (side, limit) = rest[0] if rest else Fraction(0), theorem.bound or ("", self.total)
         if (side == "above" and theta < 0) or (side == "below" and theta > 0):
             raise Refused("the multiplier of the sum has the wrong sign")
-        loads = [(D, *block.load(D, factor), -theta * D * (limit or 0)) for D, factor in theorem.loads]
+        loads = [(D and not (theorem.excepted and factor == 0), *block.load(D, factor), -theta * D * (limit or 0))
+                 for D, factor in theorem.loads]
         return block.no_state(contact, separated, y, a, [Fraction(0)] * m, [theta] * m, loads, loads and theta == 0)
 
     def conclusion(self):
@@ -782,8 +795,11 @@ class Contact(Certificate):
             for pattern, D, factor, _ in block.held:
                 if D or not self.total:
                     ways.setdefault(pattern, []).append((D, factor))
+            for touching in ways:  # its states are also those of others whose gaps a motion closes
+                for pattern in [p for p in ways if p != touching and block.closes_gaps(p, touching)]:
+                    ways[touching] = ways[touching] + [load for load in ways[pattern] if load[0]]
             own = [factors(loads, *block.acts) for loads in ways.values()]
-            out = [ends for t in mine if not t.bound for ends in excluded(t.loads, *block.acts)]
+            out = [ends for t in mine if not t.bound for ends in excluded(t.loads, t.excepted, *block.acts)]
             if not self.total and (block.solid or not block.q or not any(block.acts)):
                 own = [(-INFINITE, INFINITE)]
             elif block.acts == (False, True) and not self.total:
@@ -843,12 +859,15 @@ def factors(loads, dead, reference):
     return -INFINITE if any(R < 0 for R in rays) else min(points), INFINITE if any(R > 0 for R in rays) else max(points)
 
 
-def excluded(loads, dead, reference):
-    """Ranges of factors that a cone without states excludes. Without dead load these are all of a sign, but not 0; the
-    ends are then the doubles beside it."""
+def excluded(loads, excepted, dead, reference):
+    """Ranges of factors that a cone without states excludes. Without dead load these are all of a sign, but not 0, and
+    likewise if states under the dead load alone are excepted; the ends are then the doubles beside it."""
+    least = Fraction(1, 2 ** 1074)
+    if dead and excepted:
+        low, high = factors(loads, dead, reference)
+        return [(low or least, high or -least)] * reference
     if dead or not reference:
         return [factors(loads, dead, reference)] * dead
-    least = Fraction(1, 2 ** 1074)
     return [(least, INFINITE)] * any(R > 0 for _, R in loads) + [(-INFINITE, -least)] * any(R < 0 for _, R in loads)
 
 

@@ -68,6 +68,7 @@ class HoldCertificate final : public wedged::HoldRecord {
       line +=
           fmt::format(" {} {:a}", grip_words.at(static_cast<std::size_t>(grip->kind)), grip->total);
     }
+    if (tree.except_dead) line += " except dead";
     theorems_.push_back(line + '\n');
     for (const auto& node : tree.nodes.value()) {
       line = fmt::format("infeasible {} {}", theorems_.size(), sets(node.pattern));

@@ -237,6 +237,24 @@ class Hold(KusabiCase):
         self.assertRegex(table, rf"\n +1 +{held['low']} +{held['low']} +computed +a\n")
         self.assertIn(f"at factor {held['low']}: a", table)
 
+    def test_an_end_at_zero_is_exact(self):
+        # The strut of the file, by statics: factors from 0, where its weight is on its foot, to mu (1 + mu) / (1 + mu^2).
+        place, proof = SOURCES / "tests" / "cases" / "end_at_zero.toml", self.folder / "proof"
+        result = self.solve("hold", place, "--mu", 0.3, "--certificate", proof)
+        answer, [held] = result["result"], map(with_ends, result["result"]["intervals"])
+        self.assertEqual((held["low_out"], held["low"], held["standing"]), (0, 0, "proved"))
+        self.check_end(held["high"], held["high_out"], 0.39 / 1.09)
+        self.assertEqual((answer["open"], answer["outside"], result["verdict"]["exit_code"]), (False, "proved", 0))
+        checked = self.kusabi("verify", proof, "--problem", place)
+        self.assertRegex(checked.stdout, r"PROVED: .*from 0 to 0\.35779\d+; it cannot hold: below 0, from")
+        # Leaning against its other end, a triangle on one point holds nothing but the load through that point.
+        text = TRIANGLE.replace('nodes = ["a", "b"]', 'nodes = ["a"]')
+        text += LOAD.format('"a"', "[0.3, -1]") + LOAD.format('"b"', "[0.7, 0.2]").replace("dead", "reference")
+        result = self.solve("hold", self.problem(text), "--mu", 0.5)
+        answer, [held] = result["result"], map(with_ends, result["result"]["intervals"])
+        self.assertEqual((held["low"], held["high"], held["standing"]), (0, 0, "proved"))
+        self.assertEqual((answer["open"], answer["outside"], result["verdict"]["exit_code"]), (False, "proved", 0))
+
     def test_parts_that_may_hold_one_factor_are_undecided(self):
         # Each holds a range of pushes; they have the end -0.6 in common.
         part = TRIANGLE + LOAD.format('"c"', "[0, -2]") + LOAD.format('"c"', "[1, 0]").replace("dead", "reference")

@@ -230,7 +230,7 @@ Dyadic BlockModel::slip_above(const DyadicList& w, std::size_t candidate,
 ActingLoad BlockModel::acting(LoadShare share) const {
   const Dyadic dead(share.dead);
   const Dyadic reference(share.reference);
-  ActingLoad load{times(block_.loads[0].forces, dead), {}, dead, {}, {}};
+  ActingLoad load{times(block_.loads[0].forces, dead), {}, dead, {}, {}, false};
   load.forces += times(block_.loads[1].forces, reference);
   load.error = absolute(dead) * block_.loads[0].error + absolute(reference) * block_.loads[1].error;
   load.gaps = times(DyadicList(block_.clearance), dead);
@@ -247,6 +247,16 @@ std::vector<double> BlockModel::displacements_by(const std::vector<double>& moti
     for (std::size_t mode = 0; mode < motions(); ++mode)
       displacements[row] += near_motions_[motions() * row + mode] * motion[mode];
   return displacements;
+}
+
+bool BlockModel::moves_freely(const IndexSet& at_rest, const IndexSet& others) const {
+  Elimination free(motions());
+  const auto normal = [&](int i) -> const Rationals& {
+    return block_.motions.rows[block_.dimension * static_cast<std::size_t>(i)];
+  };
+  for (const int i : at_rest) free.add_equation(normal(i));
+  return std::all_of(others.begin(), others.end(),
+                     [&](int i) { return free.add_equation(normal(i)); });
 }
 
 bool BlockModel::resists_all_motions(const IndexSet& contact) const {

@@ -47,9 +47,10 @@ inline constexpr double largest_displacement_ratio = 0x1p20;
 struct ActingLoad {
   DyadicList forces;
   Dyadic error;
-  Dyadic dead;      ///< the share of the clearances
-  DyadicList gaps;  ///< g times that share, m
-  Rationals work;   ///< on the modes, p
+  Dyadic dead;            ///< the share of the clearances
+  DyadicList gaps;        ///< g times that share, m
+  Rationals work;         ///< on the modes, p
+  bool excepted = false;  ///< states under it alone do not count
 };
 
 /// Grounding springs for the rigid-body modes: normal displacements of U as long as these are not
@@ -109,6 +110,11 @@ class BlockModel {
   /// True if the reactions of a set of candidates resist every rigid-body mode, so that a solid
   /// wedged configuration with these in contact holds every load.
   [[nodiscard]] bool resists_all_motions(const support::IndexSet& contact) const;
+
+  /// True if rigid-body motions that leave the normal displacements of some candidates zero give
+  /// those of others any values.
+  [[nodiscard]] bool moves_freely(const support::IndexSet& at_rest,
+                                  const support::IndexSet& others) const;
 
  private:
   ContactBlock block_;

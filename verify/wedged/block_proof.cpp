@@ -34,9 +34,13 @@ Combination BlockProof::with_cuts(const IndexSet& contact, const IndexSet& separ
 ProofResult BlockProof::prove_infeasible(const IndexSet& contact, const IndexSet& separated,
                                          std::span<const double> numbers,
                                          std::span<const LoadShare> shares,
-                                         const std::optional<GripTerm>& grip) const {
+                                         const std::optional<GripTerm>& grip,
+                                         bool except_dead) const {
   auto all = without_cuts(contact, separated, numbers);
-  for (const auto& share : shares) all.loads.push_back(model_.acting(share));
+  for (const auto& share : shares) {
+    all.loads.push_back(model_.acting(share));
+    all.loads.back().excepted = except_dead && share == LoadShare{1, 0};
+  }
   all.grip = grip;
   return InfeasibilityProof(model_, bounds_, std::move(all)).result();
 }

@@ -36,7 +36,15 @@ class BlockProof {
                                              const support::IndexSet& separated,
                                              std::span<const double> numbers,
                                              std::span<const LoadShare> shares = {},
-                                             const std::optional<GripTerm>& grip = {}) const;
+                                             const std::optional<GripTerm>& grip = {},
+                                             bool except_dead = false) const;
+
+  /// True if rigid-body motions of the block that leave the normal displacements of some candidates
+  /// zero give those of others any values.
+  [[nodiscard]] bool moves_freely(const support::IndexSet& at_rest,
+                                  const support::IndexSet& others) const {
+    return model_.moves_freely(at_rest, others);
+  }
 
   /// The same without loads, with the cuts of all added bounds.
   /// @param numbers those of prove_infeasible(), then m multipliers of cuts

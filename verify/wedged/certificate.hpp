@@ -44,6 +44,8 @@ struct Theorem {
   std::size_t block = 0;            ///< the first being 0
   std::vector<LoadShare> shares{};  ///< none: wedged configurations
   std::optional<GripBound> grip{};  ///< restricts the states; with shares
+  /// States under the dead load alone do not count; the other shares have factors of one sign.
+  bool except_dead = false;
 
   [[nodiscard]] bool about_wedged() const { return shares.empty(); }
 };

@@ -12,6 +12,9 @@ namespace {
 
 constexpr double unbounded_end = std::numeric_limits<double>::infinity();
 
+/// The end of a range of all factors that are not 0: there is no double between.
+constexpr double beside_zero = std::numeric_limits<double>::denorm_min();
+
 class Conclusions {
  public:
   Conclusions(const Certificate& certificate, const Proof& proof, const Proved& proved)
@@ -83,15 +86,20 @@ std::optional<FactorRange> Conclusions::excluded_by(const Theorem& theorem) cons
   }
   const bool has_point = range.low <= range.high;
   if (!dead_matters(theorem.block)) {  // the factor is a multiple: all of one sign, or none
-    const double minimum = std::nextafter(0.0, unbounded_end);
     if (upward != downward && !has_point)
-      return upward ? FactorRange{minimum, unbounded_end} : FactorRange{-unbounded_end, -minimum};
+      return upward ? FactorRange{beside_zero, unbounded_end}
+                    : FactorRange{-unbounded_end, -beside_zero};
     return {};
   }
   if (!has_point) return {};
-  if (!proof_.actions()[theorem.block].reference) return FactorRange{};
+  if (!proof_.actions()[theorem.block].reference) {
+    if (theorem.except_dead) return {};
+    return FactorRange{};
+  }
   if (downward) range.low = -unbounded_end;
   if (upward) range.high = unbounded_end;
+  if (theorem.except_dead && range.low == 0) range.low = beside_zero;
+  if (theorem.except_dead && range.high == 0) range.high = -beside_zero;
   return range;
 }
 
@@ -134,6 +142,18 @@ std::vector<FactorRange> Conclusions::held_by(std::size_t block) const {
     place->second.high = std::max(place->second.high, reference);
   }
   if (!dead_matters_here) all.push_back({0, 0});
+  // A state of another pattern is one of this pattern, too, if its gaps can be closed.
+  for (std::size_t k = 0; k < certificate_.states.size(); ++k) {
+    const auto& state = certificate_.states[k];
+    if (state.block != block || !proved_.states[k] || !state.share) continue;
+    const auto known = points.find(Pattern(state.contact, state.separated));
+    if (known == points.end()) continue;
+    for (auto& [pattern, range] : points) {
+      if (pattern == known->first || !proof_.closes_gaps(state, pattern.first)) continue;
+      range.low = std::min(range.low, known->second.low);
+      range.high = std::max(range.high, known->second.high);
+    }
+  }
   for (const auto& [pattern, range] : points) all.push_back(range);
   for (const auto& [pattern, way] : directions) {
     const auto point = points.find(pattern);
@@ -218,7 +238,10 @@ HoldClaims Conclusions::of_loads() const {
     if (certificate_.total || (actions.unconstrained && (actions.dead || actions.reference)))
       claims.held = common(claims.held, held_by(block));
   }
-  if (std::ranges::any_of(work, &LoadWork::is_unbalanced)) claims.held.clear();
+  if (work[0].is_unbalanced())
+    claims.held.clear();
+  else if (work[1].is_unbalanced())
+    claims.held = common(claims.held, {{0, 0}});
   for (std::size_t t = 0; t < certificate_.theorems.size(); ++t) {
     if (!is_proved_empty(t)) continue;
     if (const auto range = excluded_by(certificate_.theorems[t])) claims.none.push_back(*range);

@@ -116,14 +116,15 @@ std::optional<std::string> InfeasibilityProof::refusal_of_rigid_motion(
       at_rest.add_equation(block_.motions.rows[row]);
     rest.separated.insert(static_cast<int>(i));  // nothing is left to be ruled out there
   }
-  // Loads without the dead one may have any amount, if they do no work.
+  // Loads without the dead one, and the dead one if it does not count alone, may have any amount, if
+  // they do no work.
   const auto may_act = [&](const ActingLoad& load) {
-    return load.dead.sign() == 0 && work_size(load, mean) <= small;
+    return (load.dead.sign() == 0 || load.excepted) && work_size(load, mean) <= small;
   };
   for (const auto& load : rest.loads)
     if (may_act(load)) at_rest.add_equation(load.work);
   std::erase_if(rest.loads, may_act);
-  if (rest.loads.empty()) return "no load with the dead one is left";
+  if (rest.loads.empty()) return "no load is left that would have to act";
   const DyadicList zero(std::vector<Dyadic>(d * sizes.size()));
   const auto w =
       restricted_to_candidates(block_.motions, model_.missing_motion(mean, zero, at_rest.basis()));

@@ -182,7 +182,8 @@ ProofResult Proof::proof_result(const Node& node) const {
       return {.refusal = "the multiplier of the sum has the wrong sign"};
     grip = GripTerm{theorem.grip->total, multiplier};
   }
-  return proof.prove_infeasible(contact, separated, numbers, theorem.shares, grip);
+  return proof.prove_infeasible(contact, separated, numbers, theorem.shares, grip,
+                                theorem.except_dead);
 }
 
 bool Proof::is_unbalanced(LoadShare share) const {
@@ -203,6 +204,13 @@ std::optional<std::string> Proof::refusal(const State& state, Grip* grip) const 
   if (is_unbalanced(*state.share))
     return "its load does work on a motion that displaces no candidate";
   return proof.refusal_of_held_state(contact, *state.share, state.numbers, grip);
+}
+
+bool Proof::closes_gaps(const State& state, const IndexSet& contact) const {
+  const auto& block = certificate_.blocks[state.block];
+  if (contact != block || !contact.includes(state.contact)) return false;
+  return blocks_[state.block].moves_freely(within(block, state.contact),
+                                           within(block, contact - state.contact));
 }
 
 bool Proof::holds_every_load(const State& state) const {

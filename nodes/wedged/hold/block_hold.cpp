@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include <Eigen/QR>
+
 #include "nodes/wedged/hold/bounded_search.hpp"
 
 namespace kusabi::wedged {
@@ -40,9 +42,10 @@ double factor_in(const LoadedLeaf& leaf, std::span<const LoadShare> shares) {
 
 }  // namespace
 
-HoldOutcome BlockHold::search(std::span<const LoadShare> shares, double mu, double low,
-                              double high) {
+HoldOutcome BlockHold::search(std::span<const LoadShare> shares, double mu, double low, double high,
+                              bool except_zero) {
   TreeEvidence evidence{mu, {shares.begin(), shares.end()}, grip_};
+  evidence.except_dead = except_zero;
   auto found = search_for_state(analysis_, block_, evidence, parameters_, recorded_);
   costs_.push_back({mu, low, high, found.opened, found.tally.iterations});
   if (recorded_ && !shares.empty() && found.is_infeasible()) {
@@ -50,6 +53,58 @@ HoldOutcome BlockHold::search(std::span<const LoadShare> shares, double mu, doub
     trees_.push_back(std::move(evidence));
   }
   return found;
+}
+
+bool BlockHold::holds_zero(double mu) {
+  if (std::exchange(zero_searched_, true)) return zero_.has_value();
+  const auto outcome = search(std::array{LoadShare{1, 0}}, mu, 0, 0);
+  const bool proved = !outcome.leaves.empty();
+  if (outcome.status != engine::Status::solved || (!proved && outcome.tally.limits.empty()))
+    return false;
+  zero_ = HeldInterval::from(0, 0, Standing::proved);
+  zero_->standing = support::proved_if(proved);
+  zero_->pattern = (proved ? outcome.leaves : outcome.tally.limits).front().pattern;
+  if (proved) pieces_.push_back({*zero_->pattern, 0, 0, 0});
+  return true;
+}
+
+// The ends of patterns are not known more closely.
+bool BlockHold::is_near_zero(double factor) const {
+  return std::abs(factor) <= parameters_.width * factor_scale();
+}
+
+// True if the state at 0 is one of this pattern, too, once a rigid-body motion closes the gaps of
+// the candidates that only the pattern has in contact (docs/theory/proofs.md, "Conclusions").
+bool BlockHold::touches_with(const LoadedPattern& pattern) const {
+  const support::IndexSet& own = zero_->pattern->contact;
+  if (!pattern.separated.empty() || !pattern.contact.includes(own)) return false;
+  const auto rank = [&](const support::IndexSet& candidates) {
+    std::vector<Eigen::Index> normals;
+    for (const int i : candidates) normals.push_back(Eigen::Index{block_.problem.dimension} * i);
+    const Eigen::MatrixXd rows = block_.problem.modes.matrix(normals, Eigen::all);
+    return rows.rows() == 0 ? 0 : rows.colPivHouseholderQr().rank();
+  };
+  return rank(pattern.contact) - rank(own) == (pattern.contact - own).size();
+}
+
+// An interval that ends near 0, where there is a state, ends there: at 0 itself if that state is one
+// of its pattern.
+void BlockHold::join_zero(HeldFactors& found) const {
+  if (!zero_) return;
+  bool joined = false;
+  const auto join = [&](const HeldInterval& each, double& held, support::Bound& out, double away) {
+    joined = true;
+    const bool same = zero_->standing == Standing::proved && touches_with(*each.pattern);
+    if (same) held = 0;
+    out = support::Bound{same ? 0 : std::nextafter(0, away), Standing::proved};
+  };
+  for (auto& each : found.intervals) {
+    if (each.low > 0 && is_near_zero(each.low)) join(each, each.low, each.low_out, -unbounded_end);
+    if (each.high < 0 && is_near_zero(each.high))
+      join(each, each.high, each.high_out, unbounded_end);
+    joined = joined || (each.low <= 0 && each.high >= 0);
+  }
+  if (!joined) found.intervals.push_back(*zero_);
 }
 
 bool BlockHold::wedges(double mu) {
@@ -94,9 +149,18 @@ void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard s
                      HeldFactors& found, std::vector<FactorRange>& unknown, double mu) {
   const double from = factor_in(leaf, range_of(low, high));
   const HeldInterval held = interval(leaf.pattern, from, mu, standard);
-  found.unresolved = found.unresolved || !held.high_out.proved() || !held.low_out.proved();
-  const double below = std::isfinite(held.low_out.value) ? held.low_out.value : held.low;
-  const double above = std::isfinite(held.high_out.value) ? held.high_out.value : held.high;
+  // The range beyond an end near 0 is searched by itself.
+  const auto is_open = [&](const support::Bound& out, double own) {
+    return !out.proved() && !(is_near_zero(own) && holds_zero(mu));
+  };
+  found.unresolved =
+      found.unresolved || is_open(held.high_out, held.high) || is_open(held.low_out, held.low);
+  const auto end = [&](double out, double own) {
+    if (is_near_zero(own) && holds_zero(mu)) return 0.0;
+    return std::isfinite(out) ? out : own;
+  };
+  const double below = end(held.low_out.value, held.low);
+  const double above = end(held.high_out.value, held.high);
   std::vector<FactorRange> left;
   for (const FactorRange& each : unknown) {
     if (each.low < below) left.push_back({each.low, std::min(each.high, below), true});
@@ -113,7 +177,9 @@ bool BlockHold::take_limits(std::span<const LoadedLeaf> limits, double low, doub
                             HeldFactors& found, std::vector<FactorRange>& unknown, double mu) {
   const auto shares = range_of(low, high);
   for (const auto& leaf : limits) {
-    if (std::isfinite(factor_in(leaf, shares))) {
+    const double factor = factor_in(leaf, shares);
+    if (zero_ && is_near_zero(factor)) continue;
+    if (std::isfinite(factor)) {
       take(leaf, low, high, Standard::computed, found, unknown, mu);
       if (unknown.empty() || !(unknown.back() == FactorRange{low, high, true})) return true;
     }
@@ -127,7 +193,12 @@ void BlockHold::explore(HeldFactors& found, std::vector<FactorRange>& empty_rang
   while (!unknown.empty()) {
     const auto [low, high, proved] = unknown.back();
     const auto shares = range_of(low, high);
-    const auto outcome = search(shares, mu, low, high);
+    auto outcome = search(shares, mu, low, high);
+    // A state of the dead load alone, with equalities, is no state of the range beside it.
+    const bool decided = !outcome.leaves.empty() || outcome.is_infeasible();
+    const bool beside_zero = low == 0 || high == 0;
+    const bool except_zero = !decided && beside_zero && holds_zero(mu);
+    if (except_zero) outcome = search(shares, mu, low, high, true);
     if (outcome.status != engine::Status::solved) found.status = outcome.status;
     if (found.status != engine::Status::solved ||
         static_cast<int>(found.intervals.size()) >= max_intervals) {
@@ -143,7 +214,10 @@ void BlockHold::explore(HeldFactors& found, std::vector<FactorRange>& empty_rang
       continue;
     }
     unknown.pop_back();
-    empty_ranges.push_back({low, high, outcome.is_infeasible()});
+    const bool open = except_zero && outcome.is_infeasible();
+    empty_ranges.push_back({open && low == 0 ? std::nextafter(0, unbounded_end) : low,
+                            open && high == 0 ? std::nextafter(0, -unbounded_end) : high,
+                            outcome.is_infeasible()});
     if (outcome.tally.unresolved() != 0) found.unresolved = true;
   }
 }
@@ -194,7 +268,10 @@ HeldFactors BlockHold::factors(double mu, bool with_dead) {
   }
   if (!with_dead && !grip_) return homogeneous_factors(mu);
   std::vector<FactorRange> empty_ranges;
+  zero_searched_ = false;
+  zero_.reset();
   explore(found, empty_ranges, mu);
+  join_zero(found);
   if (ended_ && found.status == engine::Status::solved) found.status = analysis_.stop_reason();
   for (const FactorRange& gap : empty_ranges) {
     if (!gap.proved) continue;

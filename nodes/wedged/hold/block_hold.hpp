@@ -84,7 +84,13 @@ class BlockHold {
     double low, high, inside;
   };
 
-  HoldOutcome search(std::span<const LoadShare> shares, double mu, double low, double high);
+  HoldOutcome search(std::span<const LoadShare> shares, double mu, double low, double high,
+                     bool except_zero = false);
+  // True if the dead load alone is held: its interval is then zero_.
+  bool holds_zero(double mu);
+  [[nodiscard]] bool is_near_zero(double factor) const;
+  void join_zero(HeldFactors& found) const;
+  [[nodiscard]] bool touches_with(const LoadedPattern& pattern) const;
   /// Conclusions that count: proved ones only, or also computed ones (relative interior at t* = 0).
   enum class Standard { proved, computed };
   static HoldResult by_standard(HoldResult result, Standard standard);
@@ -134,6 +140,9 @@ class BlockHold {
   std::vector<TreeEvidence> trees_;
   std::vector<Piece> pieces_;
   std::optional<LoadedPattern> wedged_;
+  // The factor 0, which is searched when a range beside it is undecided.
+  bool zero_searched_ = false;
+  std::optional<HeldInterval> zero_;
 };
 
 }  // namespace kusabi::wedged

@@ -11,7 +11,9 @@ HoldOutcome search_for_state(engine::Analysis& analysis, const LoadedProblem& bl
                              TreeEvidence& tree, const HoldParameters& parameters, bool recorded) {
   TreeEvidence* const evidence = recorded ? &tree : nullptr;
   const auto new_tree = [&] {
-    return HoldTree(block, tree.shares, tree.mu, parameters.precision, tree.grip);
+    HoldTree made(block, tree.shares, tree.mu, parameters.precision, tree.grip);
+    if (tree.except_dead) made.except_dead();
+    return made;
   };
   const auto candidates = static_cast<int>(block.problem.contact_names.size());
   const bool automatic = parameters.tightening == Tightening::automatic;

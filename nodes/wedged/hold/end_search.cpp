@@ -11,7 +11,7 @@ namespace kusabi::wedged {
 namespace {
 
 /// More than bisection takes on both sides of undecided points, to all digits of a double.
-constexpr int max_steps = 150;
+constexpr int max_end_steps = 150;
 
 /// Share of the required width by which points are chosen beside an estimate that is exact to all
 /// digits: both are then closer to each other than the width.
@@ -22,7 +22,7 @@ constexpr double share_beside = 0.3;
 constexpr int steps_of_trust = 4;
 
 /// Factor by which the distance from the estimate grows if a point was not on the expected side.
-constexpr double growth = 8;
+constexpr double growth_of_distance = 8;
 
 bool is_between(double point, double one, double other) {
   return std::min(one, other) < point && point < std::max(one, other);
@@ -53,7 +53,7 @@ class Secant {
     const bool has_states = answer.result == HoldResult::feasible;
     if (expected) {
       const bool missed = has_states != expects_states_;
-      beside_ = missed ? growth * std::max(beside_, share_beside * width) : 0;
+      beside_ = missed ? growth_of_distance * std::max(beside_, share_beside * width) : 0;
     }
     if (!std::isfinite(answer.margin)) return;
     auto& points = has_states ? with_states_ : without_;
@@ -111,7 +111,7 @@ PatternEnd close_in(PatternEnd end, EndWidth width,
     return std::abs(one - other) <= width_at(one, other);
   };
   Secant secant;
-  for (int step = 0; step < max_steps; ++step) {
+  for (int step = 0; step < max_end_steps; ++step) {
     if (close(feasible, infeasible) ||
         (undecided && close(feasible, open_feasible) && close(open_infeasible, infeasible)))
       return end;

@@ -49,6 +49,7 @@ class ExactHold::Record final : public HoldRecord {
     verify::Theorem theorem{.block = block};
     for (const auto& share : tree.shares) theorem.shares.push_back(verified(share));
     if (tree.grip && !theorem.about_wedged()) theorem.grip = verified(*tree.grip);
+    theorem.except_dead = tree.except_dead;
     certificate_.theorems.push_back(std::move(theorem));
     engine::Reduction own{.ranks = 1};
     for (const auto& node : tree.nodes.value()) {

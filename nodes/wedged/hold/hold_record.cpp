@@ -77,6 +77,7 @@ void record_tree(engine::Analysis& analysis, const RecordedBlock& block, TreeEvi
                  HoldRecord& record) {
   if (!evidence.nodes) {
     HoldTree tree(block.problem, evidence.shares, block.mu, block.precision, evidence.grip);
+    if (evidence.except_dead) tree.except_dead();
     report_nodes(tree, evidence);
     engine::Options options;
     options.goal = engine::Goal::first;

@@ -58,6 +58,7 @@ struct TreeEvidence {
   double mu = 0;
   std::vector<LoadShare> shares{};                 ///< none: wedged configurations
   std::optional<GripRestriction> grip{};           ///< of its states
+  bool except_dead = false;                        ///< states of the dead load alone do not count
   std::optional<std::vector<ClosedNode>> nodes{};  ///< those that this rank closed; nothing: an
                                                    ///< earlier run closed some of them
 };

@@ -62,6 +62,7 @@ std::optional<double> only_factor(const LoadedProblem& loaded) {
   work.cwiseAbs().maxCoeff(&mode);
   if (!loaded.has_dead) return 0;
   const double dead = numbers::rounded(loaded.loads.other_modes(0, mode));
+  if (std::abs(dead) <= negligible_work * loaded.loads.sizes[0]) return 0;
   const double factor = -dead / work[mode];
   if (work_on_other_modes(loaded, {1, factor}) > negligible_work) return {};
   return factor;
@@ -71,7 +72,7 @@ const HeldFactors never_in_equilibrium{.outside = Standing::proved, .not_in_equi
 
 // States at that one factor.
 HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
-                          const HoldParameters& parameters) {
+                          const HoldParameters& parameters, HoldRecord* record) {
   const auto factor = only_factor(loaded);
   if (!factor) return never_in_equilibrium;
   LoadedProblem fixed = loaded;  // the dead load of that factor alone
@@ -93,14 +94,17 @@ HeldFactors at_one_factor(engine::Analysis& analysis, const LoadedProblem& loade
   fixed.loads.motions = numbers::PreciseMatrix(fixed.loads.motions.topRows(kept));
   fixed.loads.other_modes = numbers::PreciseMatrix(kept, 0);  // in equilibrium at this factor
   fixed.loads.sizes = Eigen::VectorXd(fixed.loads.sizes.head(kept));
-  auto at = held_factors(analysis, fixed, mu, parameters);
+  auto at = held_factors(analysis, fixed, mu, parameters, *factor == 0 ? record : nullptr);
   at.any_by_supports = false;
   // The factor is that of equilibrium up to its rounding.
   for (auto& each : at.intervals) {
     each.low = each.high = *factor;
     each.standing = Standing::computed;
-    each.low_out.value = std::nextafter(std::nextafter(*factor, -unbounded_end), -unbounded_end);
-    each.high_out.value = std::nextafter(std::nextafter(*factor, unbounded_end), unbounded_end);
+    each.low_out.value = each.high_out.value = *factor;
+    if (*factor != 0) {
+      each.low_out.value = std::nextafter(std::nextafter(*factor, -unbounded_end), -unbounded_end);
+      each.high_out.value = std::nextafter(std::nextafter(*factor, unbounded_end), unbounded_end);
+    }
     if (each.state) each.state->factor = *factor;
   }
   return at;
@@ -138,7 +142,7 @@ HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded
   HeldFactors found{.outside = Standing::proved};
   found.any_by_supports = is_constrained(loaded);
   if (loaded.has_reference && work_on_other_modes(loaded, {0, 1}) > negligible_work)
-    return at_one_factor(analysis, loaded, mu, parameters);
+    return at_one_factor(analysis, loaded, mu, parameters, record);
   if (work_on_other_modes(loaded, {1, 0}) > negligible_work) return never_in_equilibrium;
   if (parameters.total) return with_total(analysis, loaded, mu, parameters, record);
   found.intervals.push_back(HeldInterval::from(-unbounded_end, unbounded_end, Standing::proved));

@@ -70,6 +70,12 @@ HoldNodes::HoldNodes(const LoadedProblem& loaded, std::span<const LoadShare> sha
   }
 }
 
+void HoldNodes::except_dead() {
+  for (std::size_t j = 0; j < shares_.size(); ++j)
+    if (shares_[j].dead != 1 || shares_[j].reference != 0)
+      besides_dead_.insert(all_.size() + static_cast<int>(j));
+}
+
 void HoldNodes::set_friction(double mu) {
   mu_ = mu;
   solver_.set_friction(friction_with_loads(loaded_->problem, mu, loads_));
@@ -130,7 +136,10 @@ HoldResult HoldNodes::degenerate(const LoadedPattern& node, double upper) {
   const auto inside = solver_.relative_interior(node.contact, node.separated);
   if (!inside) return HoldResult::unresolved;
   if (inside->loaded.empty() && upper < 0) return HoldResult::infeasible;
-  const bool acts = scales_.empty() ? !inside->loaded.empty() : inside->loaded.meets(acting_);
+  const bool acts = scales_.empty()
+                        ? !inside->loaded.empty()
+                        : inside->loaded.meets(acting_) &&
+                              (besides_dead_.empty() || inside->loaded.meets(besides_dead_));
   const IndexSet loaded = inside->loaded & all_;
   limited_to_ = inside->loaded & IndexSet::below(all_.size() + static_cast<int>(shares_.size()));
   if (!acts) return is_contradiction(node) ? HoldResult::infeasible : HoldResult::unloaded;

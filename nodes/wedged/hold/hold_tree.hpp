@@ -110,6 +110,8 @@ class HoldNodes {
             const std::optional<GripRestriction>& grip = {});
 
   void end_when(const support::Stop& stop) { solver_.end_when(stop); }
+  /// States of the dead load alone do not count. @pre another share
+  void except_dead();
   /// @pre no bounds
   void set_friction(double mu);
 
@@ -165,6 +167,7 @@ class HoldNodes {
   std::size_t loads_;  // with the difference of a restriction
   conic::SideEquation equation_;
   support::IndexSet acting_;  // the loads of which one must act in a state, after the candidates
+  support::IndexSet besides_dead_;  // the same, if states of the dead load alone do not count
   LoadedProblem const* loaded_;
   double mu_;
   Precision precision_;
@@ -203,6 +206,8 @@ class HoldTree {
 
   [[nodiscard]] CandidateBounding bounding() const { return nodes_.bounding(); }
   void tighten(std::vector<CandidateBounds> bounds) { nodes_.tighten(std::move(bounds)); }
+  /// States of the dead load alone do not count. @pre another share
+  void except_dead() { nodes_.except_dead(); }
 
   [[nodiscard]] Node root() const { return {}; }
   void expand(Node&& node, engine::Expansion<HoldTree>& out);
