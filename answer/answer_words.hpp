@@ -62,6 +62,9 @@ std::string after_loss_of(const std::string& members, double sudden);
 /// raises the factor; otherwise "without any loss".
 std::string after_worst_loss(const std::vector<std::string>& lost, double sudden);
 
+/// The text with a capital at its beginning. @pre it is not empty
+std::string capital(std::string text);
+
 /// "± 0.45 kN": half-width of an uncertain load.
 std::string half_width_text(double half_width, const std::optional<std::string>& force);
 

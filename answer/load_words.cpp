@@ -27,24 +27,39 @@ std::string within(const LoadInterval& found, const char* cases = "each of") {
   return text;
 }
 
-// The name of the load that the factor multiplies.
+// The load that the factor multiplies: "1.5 snow".
 std::string reference(const LoadInterval& found) {
-  return found.reference_action.empty() ? "the reference load"
-                                        : "the action " + found.reference_action;
+  if (found.reference_action.empty()) return "the reference load";
+  if (found.reference_factor)
+    return fmt::format("{} {}", *found.reference_factor, found.reference_action);
+  return fmt::format("the action {} with its factor in each combination", found.reference_action);
 }
 
 const char* if_large(const LoadInterval& found) {
   return found.if_big_m ? " if M is large enough" : "";
 }
 
+// A load that need not carry what others carry: "some admissible load"; empty: there is only one.
+std::string some_load(const LoadInterval& found) {
+  if (found.uncertain && found.uncertain->half_width != 0.0)
+    return found.reference_action.empty() ? "some admissible load" : "some combination of actions";
+  return found.cases > 1 ? "the load of some case" : "";
+}
+
+// @param range "above 3.2": of factors, none of which is carried under all loads
+std::string not_carried(const LoadInterval& found, const std::string& range) {
+  const auto load = some_load(found);
+  return load.empty() ? fmt::format("no factor {} is carried", range)
+                      : fmt::format("{} is carried at no factor {}", load, range);
+}
+
 // Factors that are not carried, which those at full strength bound if there are struts.
 std::string none_above(const LoadInterval& found) {
   const auto& upper = found.maximum.upper;
   if (!upper) return {};
-  return fmt::format("; {}no factor above {} is carried{}{}",
-                     found.struts ? "even with all struts at full strength " : "",
-                     support::rounded_up(upper->value), if_large(found),
-                     unless_proved(upper->standing));
+  return fmt::format("; {}{}{}{}", found.struts ? "even with all struts at full strength " : "",
+                     not_carried(found, "above " + support::rounded_up(upper->value)),
+                     if_large(found), unless_proved(upper->standing));
 }
 
 // Condition of the factors that are carried, and what bounds them.
@@ -53,12 +68,17 @@ std::string of_struts(const LoadInterval& found) {
   return ", while no strut falls below its residual strength" + none_above(found);
 }
 
-// Of an open bracket of the largest factor, unless of_struts() gives it: its upper bound.
+// The upper bound of the largest factor, unless of_struts() gives it.
+std::string upper_bound(const LoadInterval& found) {
+  return found.struts ? std::string() : none_above(found);
+}
+
+// The same where factors up to the lower bound are carried, if the bracket is open.
 std::string gap_above(const LoadInterval& found) {
   constexpr double visible = 1e-4;  // relative, in sentences of five digits
   const auto& [lower, upper] = found.maximum;
   const bool closed = upper && upper->value - lower->value <= visible * std::abs(upper->value);
-  return found.struts || closed ? std::string() : none_above(found);
+  return closed ? std::string() : upper_bound(found);
 }
 
 // No carried factor is known: the strength for which one was sought, and the bound that is known.
@@ -103,7 +123,7 @@ std::string dead_load_is_not_carried(const LoadInterval& found) {
 std::optional<std::string> nominal_without_factor(const LoadInterval& found) {
   if (found.carried_at_none) return dead_load_is_not_carried(found);
   if (const auto standing = empty(found)) {
-    return fmt::format("No load factor is carried{}{}.", in_cases(found, "all of"),
+    return fmt::format("There is no load factor that it carries{}{}.", in_cases(found, "all of"),
                        unless_proved(*standing));
   }
   if (is_undecided(found)) {
@@ -136,7 +156,7 @@ std::string nominal(const LoadInterval& found) {
   if (!from) {  // smaller factors need not be carried
     return fmt::format("The largest factor of {} that it carries is at least {}{}{}.",
                        reference(found), support::rounded_down(to->value),
-                       unless_proved(to->standing), of_struts(found) + gap_above(found));
+                       unless_proved(to->standing), of_struts(found) + upper_bound(found));
   }
   auto standing = of_all({from, to});
   if (from->value > 0 || to->value < 0) {
@@ -174,7 +194,7 @@ std::string factors_headline(const LoadInterval& found) {
   }
   const auto loads = within(found);
   if (const auto standing = empty(found)) {
-    return fmt::format("No load factor is carried {}{}.", within(found, "all of"),
+    return fmt::format("There is no load factor that it carries {}{}.", within(found, "all of"),
                        unless_proved(*standing));
   }
   const auto& to = found.maximum.lower;
@@ -183,7 +203,7 @@ std::string factors_headline(const LoadInterval& found) {
   if (!from) {
     return fmt::format("The largest factor of {} that it carries is at least {}{}{}, {}{}.",
                        reference(found), support::rounded_down(to->value), if_large(found),
-                       unless_proved(to->standing), loads, of_struts(found) + gap_above(found));
+                       unless_proved(to->standing), loads, of_struts(found) + upper_bound(found));
   }
   if (is_undecided(found)) {
     return fmt::format("It is {}undecided whether any load factor is carried {}.",
@@ -209,13 +229,25 @@ std::optional<bool> passed(const LoadInterval& found) {
   return whole ? std::optional(true) : std::nullopt;
 }
 
+// Factors outside the known bounds of an interval that may be empty.
+void add_outside(const LoadInterval& found, std::vector<Reservation>& all) {
+  const auto& below = found.minimum.lower;
+  const auto& above = found.maximum.upper;
+  const auto add = [&](const Bound& bound, const std::string& range) {
+    const auto text = not_carried(found, range) + unless_proved(bound.standing) + '.';
+    all.push_back({capital(text), true});
+  };
+  if (below) add(*below, "below " + support::rounded_down(below->value));
+  if (above) add(*above, "above " + support::rounded_up(above->value));
+}
+
 // The factors that are carried under every load of the last point, after its worst case.
 std::string guaranteed(const LoadSteps& found) {
   const auto& from = found.minimum.upper;
   const auto& to = found.worst.lower;
   const auto& above = found.minimum.lower;
   if (above && above->value > found.worst.upper->value) {
-    return fmt::format("; no load factor is carried under all admissible loads{}",
+    return fmt::format("; there is no load factor that is carried under all admissible loads{}",
                        unless_proved(of_all({above, found.worst.upper})));
   }
   if (!from) return "; the least factor that is carried under all admissible loads is open";
@@ -239,8 +271,11 @@ std::string headline_of(const LoadInterval& found, engine::Status ended) {
   if (found.carried_at_none || empty(found)) return text;
   if (!known)
     return text + (found.struts ? " Open: whether every factor from 0 to 1 is carried." : "");
-  return text + (*known ? " Passed: these include 0 to 1."
-                        : " Not passed: some factor from 0 to 1 is not carried.");
+  return text +
+         (*known ? " Passed: these include 0 to 1."
+                 : fmt::format(" Not passed: {} at some factor from 0 to 1.",
+                               some_load(found).empty() ? "it does not carry its dead load"
+                                                        : some_load(found) + " is not carried"));
 }
 
 void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reservation>& all) {
@@ -252,7 +287,9 @@ void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reserv
     }
   }
   if (found.carried_at_none == Standing::computed)
-    all.push_back({"No proof was found that the load is not carried at any factor.", true});
+    all.push_back({fmt::format("No proof was found that {} is carried at no factor.",
+                               found.uncertain ? some_load(found) : "the dead load"),
+                   true});
   if (found.uncertain && !found.carried_at_none && ended == engine::Status::solved) {
     if (!is_proved(found.maximum.lower))
       all.push_back({"A lower bound of the largest factor is not proved.", true});
@@ -260,15 +297,7 @@ void reserve(const LoadInterval& found, engine::Status ended, std::vector<Reserv
       all.push_back({"An upper bound of the largest factor is not proved.", true});
     if (!found.if_big_m && !is_proved(found.minimum.upper) && empty(found) != Standing::proved)
       all.push_back({"The least factor from which every load is carried is not proved.", true});
-    if (is_undecided(found)) {
-      all.push_back(
-          {fmt::format("No factor below {} and none above {} is carried.",
-                       support::rounded_down(found.minimum.lower ? found.minimum.lower->value
-                                                                 : found.minimum.upper->value),
-                       support::rounded_up(found.maximum.upper ? found.maximum.upper->value
-                                                               : found.maximum.lower->value)),
-           true});
-    }
+    if (is_undecided(found)) add_outside(found, all);
   }
   if (found.if_big_m)
     all.push_back({"The bounds of (29) hold only if its M is large enough.", false});

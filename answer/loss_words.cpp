@@ -1,6 +1,5 @@
 // Sentences about the loss of members.
 #include <algorithm>
-#include <cctype>
 #include <span>
 
 #include <fmt/format.h>
@@ -47,11 +46,6 @@ std::string after_any(const MemberLoss& found) {
 // The same at the beginning of a sentence.
 std::string after_any_first(const MemberLoss& found) {
   return after_any(found) + (found.struts ? "," : "");
-}
-
-std::string capital(std::string text) {
-  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  return text;
 }
 
 std::string at_most(const MemberLoss& found) {

@@ -74,15 +74,15 @@ std::string factor_claim(const CertificateCheck::Factor& factor) {
   const auto& [none_below, from] = factor.minimum;
   if (none_below && none_below->value > upper->value) {
     return text + fmt::format(
-                      "; no load factor is carried under every admissible load: the least "
-                      "factor of one is {} or more",
+                      "; there is no load factor that is carried under every admissible load: the "
+                      "least factor of one is {} or more",
                       support::rounded_down(none_below->value, support::digits_of_table));
   }
   if (!none_below || !from || !lower || from->value > lower->value) return text;
   const auto [low, high] = support::inside(from->value, lower->value, support::digits_of_table);
   return text + fmt::format(
                     "; every load factor from {} to {} is carried under every admissible "
-                    "load; no factor below {} is carried",
+                    "load, and some admissible load is carried at no factor below {}",
                     low, high, support::rounded_down(none_below->value, support::digits_of_table));
 }
 

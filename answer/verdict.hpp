@@ -328,6 +328,7 @@ struct LoadInterval {
   bool incomplete = false;
   std::uint64_t cases = 1;
   std::string reference_action{};
+  std::optional<double> reference_factor{};
   bool struts = false;
 
   static constexpr auto fields() {
@@ -338,13 +339,16 @@ struct LoadInterval {
         field("maximum", &LoadInterval::maximum,
               "of the largest factor that is carried, under every admissible load"),
         field("carried_at_none", &LoadInterval::carried_at_none,
-              "a dead load is carried at no factor of either sign; null: none is known to be"),
+              "standing of the claim that some admissible dead load, of some load case, is carried "
+              "at no factor of either sign; null: none is known to be"),
         field("if_big_m", &LoadInterval::if_big_m,
               "the bounds of the maximum hold only if the M of (29) is large enough"),
         field("incomplete", &LoadInterval::incomplete,
               "part of the request, such as a curve, was not computed"),
         if_any("reference_action", &LoadInterval::reference_action,
-               "the action that the load factor multiplies")};
+               "the action that the load factor multiplies"),
+        if_any("reference_factor", &LoadInterval::reference_factor,
+               "factor of that action; absent: it differs between the combinations")};
   }
 };
 

@@ -2,6 +2,7 @@
 #include "answer/words.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <type_traits>
 
 #include <fmt/format.h>
@@ -11,6 +12,12 @@
 #include "answer/values.hpp"
 
 namespace kusabi::answer {
+
+std::string capital(std::string text) {
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
 namespace {
 
 template <class Answer>

@@ -444,7 +444,8 @@ void OptionTable::time_limit(engine::Limits& limits) {
 void OptionTable::search_limits(engine::Limits& limits) {
   time_limit(limits);
   number("--node-limit", &limits.nodes, above(0),
-         "maximum number of opened nodes, over all searches")
+         "maximum number of opened nodes, over all searches; several ranks exceed it by those that "
+         "they open before each knows the sum")
       .stops(engine::Status::node_limit)
       .varies();
 }

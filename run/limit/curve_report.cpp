@@ -23,7 +23,8 @@ struct NamedCurve {
   const char* key;    // in JSON
   const char* name;   // in CSV
   const char* title;  // in the table
-  double load;        // size of the load at beta = 1, for the column `load`
+  const char* load;   // loads of the factors
+  double size;        // of the load at beta = 1, for the column `load`
 };
 
 std::vector<NamedCurve> curves_of(const LimitReport& report) {
@@ -33,14 +34,15 @@ std::vector<NamedCurve> curves_of(const LimitReport& report) {
       problems::common_half_width(report.problem, parameters.alpha.value_or(0)).value_or(1);
   std::vector<NamedCurve> list;
   if (answer.curve)
-    list.push_back({&*answer.curve, "curve", "critical", "beta times the critical load", alpha});
-  if (answer.worst_curve) {
     list.push_back(
-        {&*answer.worst_curve, "worst_curve", "worst", "worst case for beta times alpha", alpha});
+        {&*answer.curve, "curve", "critical", "beta times the critical load", "this load", alpha});
+  if (answer.worst_curve) {
+    list.push_back({&*answer.worst_curve, "worst_curve", "worst", "worst case for beta times alpha",
+                    "some admissible load", alpha});
   }
   if (answer.load_curve) {
     list.push_back({&*answer.load_curve, "load_curve", "load",
-                    "beta times the load of --curve-load",
+                    "beta times the load of --curve-load", "this load",
                     parameters.curve_load->cwiseAbs().maxCoeff()});
   }
   return list;
@@ -52,8 +54,9 @@ std::string curves_text(const LimitReport& report) {
   std::string text;
   for (const auto& named : curves_of(report)) {
     text += fmt::format("\n{}{}\n", named.title, report.residual ? upper_values : "");
-    text += named.curve->pieces.empty() ? "  not found\n"
-                                        : curve_text(report.problem, *named.curve, "beta");
+    text += named.curve->pieces.empty()
+                ? "  not found\n"
+                : curve_text(report.problem, *named.curve, "beta", named.load);
   }
   return text;
 }
@@ -67,7 +70,7 @@ void write_curves_csv(std::ostream& out, const LimitReport& report) {
   out << "curve,beta,load,factor,error,along_reference_load,tension,compression\n";
   for (const auto& named : curves_of(report)) {
     const auto row = [&](double beta, const std::string& rest) {
-      fmt::print(out, "{},{},{},{}\n", named.name, beta, beta * named.load, rest);
+      fmt::print(out, "{},{},{},{}\n", named.name, beta, beta * named.size, rest);
     };
     for (const auto& piece : named.curve->pieces) {
       const auto mode = named_mode(report.problem, piece.from.motion);

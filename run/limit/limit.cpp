@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "answer/values.hpp"
 #include "answer/words.hpp"
 #include "engine/collectives.hpp"
 #include "nodes/limit/limit_loads.hpp"
@@ -360,11 +361,15 @@ void Limit::prepare(CommandRun& run) {
 
 std::string Limit::announcement(const std::string& ranks) const {
   const auto& problem = cases_.front().problem;
-  return fmt::format("{}: {}, {} nodes, {} members, {} free displacements{}; {}", problem.name,
-                     problem.dimension == 2 ? "in the plane" : "in space",
-                     problem.node_names.size(), problem.member_count(), problem.free_count(),
-                     cases_.size() == 1 ? "" : fmt::format(", {} load cases", cases_.size()),
-                     ranks);
+  const auto counted = [](int count, const char* thing) {
+    return answer::counted(static_cast<std::uint64_t>(count), thing);
+  };
+  return fmt::format(
+      "{}: {}, {}, {}, {}{}; {}", problem.name,
+      problem.dimension == 2 ? "in the plane" : "in space",
+      answer::counted(problem.node_names.size(), "node"), counted(problem.member_count(), "member"),
+      counted(problem.free_count(), "free displacement"),
+      cases_.size() == 1 ? "" : fmt::format(", {} load cases", cases_.size()), ranks);
 }
 
 void Limit::search(CommandRun& run) {

@@ -22,14 +22,24 @@ namespace {
 using nlohmann::ordered_json;
 
 // Existence of carried factors in a case, which cases are compared by first.
-enum class Carried { none, none_after_a_loss, some };
+enum class Carried {
+  none,
+  none_after_a_loss,
+  none_at_residual,
+  none_at_residual_after_a_loss,
+  some
+};
 
-// Rank of a case, the least first; infinity: the factor is unknown. A search that was stopped before
-// it found an upper bound leaves that of the nominal load without any loss.
-std::pair<Carried, double> rank(const LimitCase& each) {
-  const auto& [answer, loss] = std::tie(each.found.answer, each.found.loss);
-  if (limit::at_no_factor(answer)) return {Carried::none, 0};
-  if (loss && loss->fatal) return {Carried::none_after_a_loss, 0};
+/// Rank of a case, the least first; infinity: the factor is unknown.
+using Rank = std::pair<Carried, double>;
+
+// At one strength. A search that was stopped before it found an upper bound leaves that of the
+// nominal load without any loss.
+Rank rank_at_strength(const limit::LimitAnswer& answer,
+                      const std::optional<limit::LossAnswer>& loss, bool residual) {
+  if (limit::at_no_factor(answer)) return {residual ? Carried::none_at_residual : Carried::none, 0};
+  if (loss && loss->fatal)
+    return {residual ? Carried::none_at_residual_after_a_loss : Carried::none_after_a_loss, 0};
   const auto upper = loss           ? loss->ends.upper
                      : answer.worst ? answer.worst->ends.upper
                                     : std::nullopt;
@@ -38,34 +48,41 @@ std::pair<Carried, double> rank(const LimitCase& each) {
           answer.nominal ? answer.nominal->factor : std::numeric_limits<double>::infinity()};
 }
 
+Rank rank(const LimitCase& each) {
+  const auto& found = each.found;
+  const auto full = rank_at_strength(found.answer, found.loss, false);
+  return found.residual
+             ? std::min(full, rank_at_strength(*found.residual, found.residual_loss, true))
+             : full;
+}
+
 const char* state_of(const limit::LimitFindings& found) {
   if (!found.whole()) return "open";
   return limit::at_no_factor(found.answer) ? "not-carried" : "solved";
 }
 
-// The results of one case in a line, and the critical combination of its actions in another.
-std::string found_text(const LimitCase& each, bool with_losses) {
-  const auto& found = each.found;
-  const auto& answer = found.answer;
-  if (const auto standing = limit::at_no_factor(answer))
-    return fmt::format("not carried at any factor, {}", answer::standing_word(*standing));
+// The results of one case at one strength in a line, and the critical combination of its actions in
+// another. @param indent of the latter
+std::string found_text(const LimitCase& each, const limit::LimitAnswer& answer,
+                       const std::optional<limit::LossAnswer>& loss, bool with_losses,
+                       const char* indent) {
+  if (auto none = at_none_text(each.truss, answer)) return *none;
   if (!answer.nominal) return "open";
   std::vector<std::string> parts;
   if (!has_ranges(each.truss))
     parts.push_back("nominal " + factor_text(answer.nominal_factors.largest));
   if (answer.worst) parts.push_back("worst case " + factor_text(answer.worst->ends));
   if (!with_losses && !answer.whole()) parts.emplace_back("open");
-  if (const auto& loss = found.loss; with_losses) {
-    parts.push_back(
-        loss && loss->fatal
-            ? fmt::format("no factor after a loss, {}", answer::standing_word(*loss->fatal))
-            : "after a loss " + factor_text(loss ? loss->ends : support::Bracket{}));
+  if (with_losses) {
+    parts.push_back("after a loss " + (loss && loss->fatal
+                                           ? at_none_text(each.truss, loss->uncertain, *loss->fatal)
+                                           : factor_text(loss ? loss->ends : support::Bracket{})));
   }
   auto text = fmt::format("{}", fmt::join(parts, ", "));
   if (with_losses) return text;
   const auto combination = combination_text(each.truss, each.problem,
                                             answer.worst ? answer.worst->zeta : Eigen::VectorXd());
-  return combination.empty() ? text : fmt::format("{}\n    {}", text, combination);
+  return combination.empty() ? text : fmt::format("{}\n{}{}", text, indent, combination);
 }
 
 }  // namespace
@@ -162,13 +179,40 @@ std::string loads_text(std::span<const LimitCase> cases, std::optional<double> a
                                                                : " under the dead load";
 }
 
+const char* load_without_factor(const problems::Structure& truss, bool uncertain) {
+  if (!uncertain) return "the dead load";
+  return truss.actions.empty() ? "some admissible dead load" : "some combination of actions";
+}
+
+std::string at_none_text(const problems::Structure& truss, bool uncertain,
+                         support::Standing standing) {
+  return fmt::format("{} is carried at no load factor of either sign, {}",
+                     load_without_factor(truss, uncertain), answer::standing_word(standing));
+}
+
+std::optional<std::string> at_none_text(const problems::Structure& truss,
+                                        const limit::LimitAnswer& answer) {
+  const auto standing = limit::at_no_factor(answer);
+  if (!standing) return {};
+  return at_none_text(truss, answer.worst || has_ranges(truss), *standing);
+}
+
 std::string cases_text(std::span<const LimitCase> cases, const limit::LimitParameters& parameters) {
-  std::string text =
-      fmt::format("{} load cases{}\n", cases.size(), with_struts(cases) ? upper_values : "");
+  std::string text = fmt::format(
+      "{} load cases{}\n", cases.size(),
+      with_struts(cases) ? ", all struts at their strength, an upper value, and then at "
+                           "their residual strength"
+                         : "");
   const auto out = std::back_inserter(text);
   const bool with_losses = parameters.loss.has_value();
-  for (const auto& each : cases)
-    fmt::format_to(out, "  {}: {}\n", each.name, found_text(each, with_losses));
+  for (const auto& each : cases) {
+    const auto& found = each.found;
+    fmt::format_to(out, "  {}: {}\n", each.name,
+                   found_text(each, found.answer, found.loss, with_losses, "    "));
+    if (found.residual)
+      fmt::format_to(out, "    at residual strength: {}\n",
+                     found_text(each, *found.residual, found.residual_loss, with_losses, "      "));
+  }
   if (!with_losses) {
     const bool all_loads = of_all_loads(cases, parameters);
     const auto interval = interval_of_all(cases, all_loads);
@@ -194,7 +238,13 @@ ordered_json cases_json(std::span<const LimitCase> cases) {
                                              answer.worst ? answer.worst->zeta : Eigen::VectorXd());
     }
     if (answer.worst) row.update(interval_json(guaranteed_interval(answer, each.found.residual)));
-    if (const auto& loss = each.found.loss) row["factor"] = answer::written(loss->ends);
+    if (const auto& loss = each.found.loss) {
+      const auto& carried = each.found.residual ? each.found.residual_loss : loss;
+      row["factor"] = answer::written(
+          support::Bracket{carried ? carried->ends.lower : std::nullopt, loss->ends.upper});
+      const auto fatal = loss->fatal || !carried ? loss->fatal : carried->fatal;
+      if (fatal) row["fatal"] = answer::name_of(*fatal);
+    }
     row["state"] = state_of(each.found);
     rows.push_back(std::move(row));
   }

@@ -26,9 +26,10 @@ struct LimitCase {
   limit::LimitFindings found{};
 };
 
-/// The case with the least known load factor, worst or nominal: before all others one whose load is
-/// carried at no factor, then one of which a loss leaves none; the first of equal ones.
-/// @pre there is one
+/// The case with the least known load factor, worst or nominal, with struts at their residual
+/// strength: before all others one whose load is carried at no factor, then one of which a loss
+/// leaves none, then those of which this is so at residual strength; the first of equal ones.
+/// Tables, sentences and files name this one. @pre there is one
 const LimitCase& governing(std::span<const LimitCase> cases);
 
 /// True if all cases are answered.
@@ -67,6 +68,19 @@ limit::GuaranteedInterval interval_of_all(std::span<const LimitCase> cases, bool
 
 /// The loads of a statement on all cases: " under all admissible loads". @param alpha of the search
 std::string loads_text(std::span<const LimitCase> cases, std::optional<double> alpha);
+
+/// A load that is carried at no factor: "some admissible dead load", "some combination of actions".
+/// @param uncertain some admissible load; otherwise the dead load
+const char* load_without_factor(const problems::Structure& truss, bool uncertain);
+
+/// "some admissible dead load is carried at no load factor of either sign, proved".
+/// @param uncertain as above
+std::string at_none_text(const problems::Structure& truss, bool uncertain,
+                         support::Standing standing);
+
+/// The same on a case without a loss; nothing: it is not known that a load has no factor.
+std::optional<std::string> at_none_text(const problems::Structure& truss,
+                                        const limit::LimitAnswer& answer);
 
 /// One row per case, and the governing case.
 std::string cases_text(std::span<const LimitCase> cases, const limit::LimitParameters& parameters);

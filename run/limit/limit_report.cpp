@@ -128,17 +128,17 @@ void write_interval(std::string& text, const LimitReport& report) {
 std::string evidence_text(const limit::LimitWorstCase& worst) {
   if (worst.cuts == 0 && worst.corners > 0) {
     return fmt::format(
-        "  static evidence: {} of the uncertain loads; linear programs: {} load factors, {} in the "
-        "tree\n",
-        answer::counted(worst.corners, "corner"), worst.counts.load_factors, worst.tree_programs);
+        "  static evidence: {} of the uncertain loads; linear programs: {}, {} in the tree\n",
+        answer::counted(worst.corners, "corner"),
+        answer::counted(worst.counts.load_factors, "load factor"), worst.tree_programs);
   }
   return fmt::format(
-      "  static evidence: {} cuts, {}{}; linear programs: {} load factors, {} relaxations, {} for "
-      "cuts, {} in the tree\n",
-      worst.cuts, answer::counted(worst.nodes, "node"),
+      "  static evidence: {}, {}{}; linear programs: {}, {}, {} for cuts, {} in the tree\n",
+      answer::counted(worst.cuts, "cut"), answer::counted(worst.nodes, "node"),
       worst.corners == 0 ? ""
                          : fmt::format(", of these {}", answer::counted(worst.corners, "corner")),
-      worst.counts.load_factors, worst.counts.relaxations, worst.counts.pricings,
+      answer::counted(worst.counts.load_factors, "load factor"),
+      answer::counted(worst.counts.relaxations, "relaxation"), worst.counts.pricings,
       worst.tree_programs);
 }
 
@@ -152,8 +152,7 @@ void write_worst(std::string& text, const LimitReport& report) {
   const char* const some_load =
       report.truss.actions.empty() ? "admissible dead load" : "combination of actions";
   if (worst.status == RootStatus::not_carried) {
-    fmt::format_to(out, "  some {} is not carried at any load factor of either sign, {}\n",
-                   some_load, answer::standing_word(worst.standing));
+    fmt::format_to(out, "  {}\n", at_none_text(report.truss, true, worst.standing));
     text += critical_load_text(report.truss, problem, worst.zeta);
   } else {
     write_ends(text, worst);
@@ -201,9 +200,10 @@ std::string LimitReport::table(const Page& page) const {
     const auto [minimum, greatest] = std::ranges::minmax(answer.samples);
     double sum = 0;
     for (const double factor : answer.samples) sum += factor;
-    fmt::format_to(out, "\n{} random dead loads: load factors{} {:.6g} ... {:.6g}, mean {:.6g}\n",
-                   answer.samples.size(), residual ? " with all struts at their strength" : "",
-                   minimum, greatest, sum / static_cast<double>(answer.samples.size()));
+    fmt::format_to(out, "\n{}: load factors{} {:.6g} ... {:.6g}, mean {:.6g}\n",
+                   answer::counted(answer.samples.size(), "random dead load"),
+                   residual ? " with all struts at their strength" : "", minimum, greatest,
+                   sum / static_cast<double>(answer.samples.size()));
   }
   text += curves_text(*this);
   if (answer.rest != engine::Status::solved) {

@@ -137,8 +137,8 @@ std::string strut_text(const LimitReport& report);
 /// The key `struts` of a result. @pre report.residual
 nlohmann::ordered_json strut_json(const LimitReport& report);
 
-/// "With all struts at their residual strength no load factor is carried.", if that is so in some
-/// case; empty otherwise, and if that is so at full strength in some case.
+/// "With all struts at their residual strength the dead load is carried at no load factor.", if that
+/// is so in some case; empty otherwise, and if that is so at full strength in some case.
 std::string strut_sentence(std::span<const LimitCase> cases);
 
 /// Lines on the bounds of (29).

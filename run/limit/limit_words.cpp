@@ -111,7 +111,9 @@ std::string utilisation_text(const LimitProblem& problem, const LimitCollapse& c
   for (const int i : others)
     text += fmt::format(" {} {:.1f} %,", problems::member_name(problem, i), 100 * used(i));
   text.pop_back();
-  return text + (all > max_named ? fmt::format("; {} others have less\n", all - max_named) : "\n");
+  if (all <= max_named) return text + '\n';
+  return text + (all == max_named + 1 ? "; one other has less\n"
+                                      : fmt::format("; {} others have less\n", all - max_named));
 }
 
 std::string combination_text(const problems::Structure& truss, const LimitProblem& problem,
@@ -178,10 +180,18 @@ answer::LoadRange load_range(const LimitOptions& options, std::span<const LimitC
   return loads;
 }
 
-// The action that the load factor multiplies; empty if the load cases are no combinations.
-std::string reference_action(const problems::Structure& truss) {
-  const auto found = std::ranges::find(truss.actions, true, &problems::ActionFactors::reference);
-  return found == truss.actions.end() ? std::string() : found->action;
+// The action that the load factor multiplies, if the load cases are combinations, and its factor, if
+// that is the same in all of them.
+void set_reference(std::span<const LimitCase> cases, answer::LoadInterval& interval) {
+  std::set<double> factors;
+  for (const auto& each : cases) {
+    for (const auto& range : each.truss->actions) {
+      if (!range.reference) continue;
+      interval.reference_action = range.action;
+      factors.insert(range.upper);
+    }
+  }
+  if (factors.size() == 1) interval.reference_factor = *factors.begin();
 }
 
 // Load factors of one case, as of all of them.
@@ -228,12 +238,11 @@ std::string cases_at_ends(std::span<const LimitCase> cases, const answer::LoadIn
     return interval_of(each, all_loads).minimum.at_least();
   };
   const auto upper = [&](const auto& each) {
-    const auto largest = interval_of(each, all_loads).largest;
-    return interval.struts ? largest.at_least() : largest.at_most();
+    return interval_of(each, all_loads).largest.at_most();
   };
-  const auto& begins = *std::ranges::max_element(cases, {}, lower);
-  const auto& ends = *std::ranges::min_element(cases, {}, upper);
   if (from.lower->value > to.upper->value) {
+    const auto& begins = *std::ranges::max_element(cases, {}, lower);
+    const auto& ends = *std::ranges::min_element(cases, {}, upper);
     if (&begins == &ends) {
       return fmt::format(
           "In load case {} a load is carried only from {} on{}, and another one only "
@@ -248,10 +257,12 @@ std::string cases_at_ends(std::span<const LimitCase> cases, const answer::LoadIn
         ends.name, support::rounded_up(to.upper->value), answer::unless_proved(to.upper->standing));
   }
   if (interval.struts && !to.lower) return {};
-  const auto combination = critical_combination(ends);
-  return fmt::format("The least {}of the largest factors is that of load case {}{}{}.",
-                     all_whole(cases) ? "" : "known ", ends.name, combination.empty() ? "" : ": ",
-                     combination);
+  const auto& governs = governing(cases);
+  const auto combination = critical_combination(governs);
+  return fmt::format("The least {}of the largest factors is that of load case {}{}{}{}.",
+                     all_whole(cases) ? "" : "known ", governs.name,
+                     interval.struts ? ", at residual strength" : "",
+                     combination.empty() ? "" : ": ", combination);
 }
 
 answer::LoadInterval load_interval(const LimitOptions& options, std::span<const LimitCase> cases,
@@ -259,7 +270,7 @@ answer::LoadInterval load_interval(const LimitOptions& options, std::span<const 
   const auto found = interval_of_all(cases, all_loads);
   answer::LoadInterval interval{.cases = cases.size(), .struts = with_struts(cases)};
   if (all_loads) interval.uncertain = load_range(options, cases);
-  interval.reference_action = reference_action(*cases.front().truss);
+  set_reference(cases, interval);
   interval.carried_at_none = found.at_none;
   if (found.at_none) return interval;
   interval.minimum = found.minimum;

@@ -45,7 +45,8 @@ std::string singles_text(const LimitProblem& problem, const LossAnswer& loss) {
     return value_of(single) < nominal - lowers_by * std::abs(nominal);
   };
   std::string text = loss.uncertain
-                         ? "  loss of one member (upper bounds, by alternating linear programs):\n"
+                         ? "  loss of one member (upper bounds, computed by alternating linear "
+                           "programs):\n"
                          : "  loss of one member (computed):\n";
   const auto out = std::back_inserter(text);
   std::size_t shown = 0;
@@ -54,7 +55,8 @@ std::string singles_text(const LimitProblem& problem, const LossAnswer& loss) {
     ++shown;
     const auto name = problems::member_name(problem, single.member);
     if (single.status == LoadStatus::not_carried) {
-      fmt::format_to(out, "    {}: not carried at any load factor\n", name);
+      fmt::format_to(out, "    {}: {} is carried at no load factor\n", name,
+                     loss.uncertain ? "some admissible load" : "the dead load");
     } else {
       constexpr int digits = 10;
       fmt::format_to(out, "    {}: {}\n", name,
@@ -108,11 +110,10 @@ std::string fatal_text(const LimitProblem& problem, const problems::Structure& t
   return {};
 }
 
-void write_ends(std::string& text, const LossAnswer& loss) {
+void write_ends(std::string& text, const problems::Structure& truss, const LossAnswer& loss) {
   const auto out = std::back_inserter(text);
   if (loss.fatal) {
-    fmt::format_to(out, "  after some loss no load factor is carried, of either sign, {}\n",
-                   answer::standing_word(*loss.fatal));
+    fmt::format_to(out, "  after some loss {}\n", at_none_text(truss, loss.uncertain, *loss.fatal));
     return;
   }
   const auto& ends = loss.ends;
@@ -160,7 +161,7 @@ std::string loss_text(const LimitProblem& problem, const problems::Structure& tr
       answer::counted(static_cast<std::uint64_t>(loss.eligible), "member"),
       loss.uncertain ? ", under every admissible load" : "",
       loss.sudden == 1 ? std::string() : fmt::format(", dynamic factor {}", loss.sudden));
-  write_ends(text, loss);
+  write_ends(text, truss, loss);
   const auto out = std::back_inserter(text);
   if (loss.lost.empty()) {
     text += "  no loss is known that lowers the factor\n";

@@ -52,12 +52,12 @@ support::Bracket requested(const LimitReport& report, const LimitAnswer& answer,
   return parameters.alpha || parameters.loss ? support::Bracket{} : answer.nominal_factors.largest;
 }
 
-std::string remaining_text(const support::Bracket& ends, const LimitAnswer& answer,
+std::string remaining_text(const LimitReport& report, const support::Bracket& ends,
+                           const LimitAnswer& answer,
                            const std::optional<limit::LossAnswer>& loss) {
   if (loss && loss->fatal)
-    return fmt::format("no load factor after a loss, {}", answer::standing_word(*loss->fatal));
-  if (const auto standing = limit::at_no_factor(answer))
-    return fmt::format("no load factor, {}", answer::standing_word(*standing));
+    return "after a loss " + at_none_text(report.truss, loss->uncertain, *loss->fatal);
+  if (auto none = at_none_text(report.truss, answer)) return *none;
   if (!ends.lower && !ends.upper) return "open";
   return fmt::format("{}load factor {}", loss ? "after the worst loss " : "", factor_text(ends));
 }
@@ -70,10 +70,10 @@ std::string strut_text(const LimitReport& report) {
   const auto full = requested(report, report.answer, report.loss);
   const auto residual = requested(report, *report.residual, report.residual_loss);
   fmt::format_to(out, "  all at their strength: {}{}\n",
-                 remaining_text(full, report.answer, report.loss),
+                 remaining_text(report, full, report.answer, report.loss),
                  full.upper ? "; an upper value" : "");
   fmt::format_to(out, "  all at their residual strength: {}{}\n",
-                 remaining_text(residual, *report.residual, report.residual_loss),
+                 remaining_text(report, residual, *report.residual, report.residual_loss),
                  residual.lower ? "; a lower value" : "");
   if (report.residual->worst) {
     const auto carried = guaranteed_interval(*report.residual);
@@ -111,15 +111,19 @@ std::string strut_sentence(std::span<const LimitCase> cases) {
         return limit::at_no_factor(each.found.answer) || (loss && loss->fatal);
       }))
     return {};
-  constexpr const char* subject = "With all struts at their residual strength no load factor";
-  const auto sentence = [&](const char* predicate, support::Standing standing) {
-    return fmt::format("{} {}{}.", subject, predicate, answer::unless_proved(standing));
+  const auto sentence = [](const char* after, const LimitCase& each, bool uncertain,
+                           support::Standing standing) {
+    return fmt::format(
+        "With all struts at their residual strength{} {} is carried at no load "
+        "factor{}.",
+        after, load_without_factor(each.truss, uncertain), answer::unless_proved(standing));
   };
   for (const auto& each : cases) {
     const auto& [residual, loss] = std::tie(each.found.residual, each.found.residual_loss);
     const auto none = residual ? limit::at_no_factor(*residual) : std::nullopt;
-    if (none) return sentence("is carried", *none);
-    if (loss && loss->fatal) return sentence("remains after the worst loss", *loss->fatal);
+    if (none) return sentence("", each, residual->worst || has_ranges(each.truss), *none);
+    if (loss && loss->fatal)
+      return sentence(", after the worst loss,", each, loss->uncertain, *loss->fatal);
   }
   return {};
 }

@@ -170,11 +170,12 @@ std::string MipReport::table(const Page& page) const {
   text += '\n';
   const auto tally = found.outcome.tally();
   const auto& counts = found.tree.prepared().counts;
-  fmt::format_to(out,
-                 "{} nodes; {} linear programs, {} of them at the root; {} cuts in {} rounds; {} "
-                 "coefficients reduced\n",
-                 found.outcome.opened(), tally.programs + counts.programs, counts.programs,
-                 counts.cuts, counts.cut_rounds, counts.tightened);
+  fmt::format_to(out, "{}; {}, {} of them at the root; {} in {}; {} reduced\n",
+                 answer::counted(found.outcome.opened(), "node"),
+                 answer::counted(tally.programs + counts.programs, "linear program"),
+                 counts.programs, answer::counted(counts.cuts, "cut"),
+                 answer::counted(counts.cut_rounds, "round"),
+                 answer::counted(counts.tightened, "coefficient"));
   RankTable ranks({"branched", "infeasible", "above", "leaves", "programs", "iterations"});
   const auto own = [](const zero_one::ZeroOneTally& its) {
     return std::vector<std::uint64_t>{its.branched, its.infeasible + its.unproved,

@@ -27,7 +27,7 @@ using problems::LimitProblem;
 constexpr int digits_of_place = 8;
 constexpr int digits_of_factor = 10;
 
-// Distance within which the curve passes the points of its table; empty if it is not proved.
+// Distance within which the curve passes the points of its table, if it is proved.
 std::string distance_text(const LoadCurve& curve) {
   constexpr double shift = 1e-7;   // of a place by rounding, relative
   constexpr double change = 1e-9;  // of a factor by rounding, relative
@@ -35,7 +35,9 @@ std::string distance_text(const LoadCurve& curve) {
   double slope = 0;
   double largest = std::abs(curve.pieces.back().factor_at_end);
   for (const auto& piece : curve.pieces) {
-    if (!piece.error) return {};
+    if (!piece.error)
+      return fmt::format("the factors are those of the simplex method{}\n",
+                         answer::unless_proved(support::Standing::computed));
     error = std::max(error, *piece.error);
     slope = std::max(slope, std::abs(piece.from.slope));
     largest = std::max(largest, std::abs(piece.from.factor));
@@ -71,7 +73,8 @@ std::string factor_text(const support::Bracket& factor) {
 
 std::string interval_text(const GuaranteedInterval& interval, std::string_view loads) {
   const auto* const standing = answer::standing_word(interval.standing());
-  if (interval.is_empty()) return fmt::format("no factor is carried{}, {}", loads, standing);
+  if (interval.is_empty())
+    return fmt::format("there is no factor that is carried{}, {}", loads, standing);
   const auto& [minimum, largest, at_none] = interval;
   if (interval.has_factors()) {
     const auto [low, high] =
@@ -122,7 +125,7 @@ std::string yielding_text(const NamedMode& mode, int indent) {
 }
 
 std::string curve_text(const LimitProblem& problem, const LoadCurve& curve,
-                       std::string_view variable, double scale) {
+                       std::string_view variable, std::string_view load, double scale) {
   constexpr int indent = 29;  // column of the modes
   std::string text =
       fmt::format("{:>12} {:>14}  collapse mode above this {}\n", variable, "factor", variable);
@@ -141,8 +144,8 @@ std::string curve_text(const LimitProblem& problem, const LoadCurve& curve,
   row(curve.pieces.back().to, curve.pieces.back().factor_at_end);
   text += '\n';
   if (const auto& end = curve.end)
-    fmt::format_to(out, "{:>12}  not carried at any factor from here on, {}\n",
-                   support::rounded_up(scale * end->not_carried_at, digits_of_place),
+    fmt::format_to(out, "{:>12}  {} is carried at no factor from here on, {}\n",
+                   support::rounded_up(scale * end->not_carried_at, digits_of_place), load,
                    answer::standing_word(end->standing));
   return text + distance_text(curve);
 }

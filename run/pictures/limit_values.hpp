@@ -43,9 +43,10 @@ NamedMode named_mode(const problems::LimitProblem& problem, const Eigen::VectorX
 std::string yielding_text(const NamedMode& mode, int indent);
 
 /// A curve as a table, one row per breakpoint. @param variable heading of the first column
+/// @param load that is carried at no factor beyond the end of the curve: "some admissible load"
 /// @param scale of the variable to the places of the curve
 std::string curve_text(const problems::LimitProblem& problem, const limit::LoadCurve& curve,
-                       std::string_view variable, double scale = 1);
+                       std::string_view variable, std::string_view load, double scale = 1);
 
 /// Adds the pieces of a curve as `key`, and its end, if it has one, as `key`_end. @param scale as
 /// above

@@ -25,7 +25,7 @@ std::string with_spaces(std::string text) {
 }
 
 std::string text_of(const ResultJson& number, int digits, Rounding rounding) {
-  if (!number.is_number_float()) return number.dump();
+  if (!number.is_number_float() || digits == all_digits) return number.dump();
   const auto value = number.get<double>();
   switch (rounding) {
     case Rounding::down:

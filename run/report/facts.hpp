@@ -13,6 +13,8 @@ namespace kusabi::run {
 /// Digits of a number in a table, and of an answer.
 inline constexpr int few_digits = 6;
 inline constexpr int many_digits = 10;
+/// As many as distinguish a number from all others.
+inline constexpr int all_digits = 0;
 
 /// Direction in which a number is rounded for display.
 enum class Rounding { nearest, down, up };

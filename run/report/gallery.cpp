@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "answer/values.hpp"
 #include "pictures/svg/inline_picture.hpp"
 #include "pictures/svg/legend.hpp"
 #include "run/report/answer_parts.hpp"
@@ -111,11 +112,14 @@ class Gallery {
     const auto& own = list_.groups.groups[number];
     page_.open("div", {{"class", "group"}});
     if (in_groups()) {
-      page_.element("h3", own.members.size() == 1
-                              ? fmt::format("Group {}: one of the {}", number + 1, list_.things)
-                              : fmt::format("Group {}: {} {} that differ in up to {} candidates",
-                                            number + 1, own.members.size(), list_.things,
-                                            std::min(2 * list_.groups.apart, own.varying.size())));
+      page_.element(
+          "h3",
+          own.members.size() == 1
+              ? fmt::format("Group {}: one of the {}", number + 1, list_.things)
+              : fmt::format("Group {}: {} {} that differ in up to {}", number + 1,
+                            own.members.size(), list_.things,
+                            answer::counted(std::min(2 * list_.groups.apart, own.varying.size()),
+                                            "candidate")));
     }
     if (own.members.size() > 1) {
       page_.element("p",

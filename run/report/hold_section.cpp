@@ -48,6 +48,10 @@ std::string standing_of_none(const ResultReader& reader, const ResultJson& point
 }
 
 void add_intervals(Markup& page, const ResultReader& reader, const ResultJson& points) {
+  if (points.empty()) {
+    page.element("p", "No coefficient was answered before the early end.");
+    return;
+  }
   begin_table(page, "Factors of the reference load that can be held",
               {"friction coefficient", "from", "to", "standing", "in contact at an end"});
   for (const auto& point : points) {

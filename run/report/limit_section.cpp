@@ -13,7 +13,9 @@
 #include "answer/words.hpp"
 #include "pictures/svg/inline_picture.hpp"
 #include "run/report/facts.hpp"
+#include "run/report/load_curve.hpp"
 #include "run/results/alpha_unit.hpp"
+#include "run/results/sweep_result.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -37,7 +39,9 @@ class LimitSection {
     if (ResultReader::find(result_, "collapse_mode") == nullptr) critical_load(result_);
     single_losses();
     combinations();
+    load_cases();
     factors();
+    curves();
     utilisation();
     page_.close();
   }
@@ -103,39 +107,97 @@ class LimitSection {
         std::pair(reader_.bound(from, "upper"), reader_.bound(from, "lower"));
     const auto [high, high_out] = std::pair(reader_.bound(to, "lower"), reader_.bound(to, "upper"));
     if (low_out && high_out && *low_out > *high_out) {
-      add_fact(page_, loads + " is carried",
-               "at no factor, " + of_both(reader_.at(from, "lower"), reader_.at(to, "upper")));
+      add_fact(page_, "factors at which " + loads + " is carried",
+               "none, " + of_both(reader_.at(from, "lower"), reader_.at(to, "upper")));
       return false;
     }
     if (low && high && *low <= *high) {
       add_bound_fact(page_, reader_, loads + " is carried at factors from", from, "upper");
       return true;
     }
-    add_fact(page_, loads + " is carried", "undecided whether at any factor");
-    add_bound_fact(page_, reader_, loads + " is not carried at factors below", from, "lower");
-    add_bound_fact(page_, reader_, loads + " is not carried at factors above", to, "upper");
+    const auto factors = "factors at which " + loads + " is carried";
+    add_fact(page_, factors, "undecided whether there are any");
+    add_bound_fact(page_, reader_, factors + ", at least", from, "lower");
+    add_bound_fact(page_, reader_, factors + ", at most", to, "upper");
     return false;
   }
 
   void factors() {
     const auto* const load_case = ResultReader::find(result_, "case");
-    const bool worst = ResultReader::find(result_, "uncertain_components") != nullptr;
+    const bool losses = ResultReader::find(result_, "lost_at_most") != nullptr;
+    const bool worst = !losses && ResultReader::find(result_, "uncertain") != nullptr;
     const bool nominal = ResultReader::find(result_, "nominal") != nullptr;
-    if (load_case == nullptr && !nominal && !worst) return;
     const bool struts = ResultReader::find(result_, "struts") != nullptr;
     const std::string upper = struts ? ", if all struts kept their full strength" : "";
     begin_facts(page_, "Factors of the reference load");
     if (load_case != nullptr) add_fact(page_, "load case", reader_.text(result_, "case"));
-    if (nominal) nominal_factors(worst, struts, upper);
+    if (nominal)
+      nominal_factors(worst, struts, upper);
+    else if (ResultReader::find(result_, "carried_at_none") != nullptr)
+      add_fact(page_, "nominal dead load is carried",
+               "at no factor, " + reader_.text(result_, "carried_at_none"));
+    else
+      add_fact(page_, "nominal load factor", "not found");
+    if (losses) loss_factors();
     if (ResultReader::find(result_, "alpha") != nullptr) {
       const auto unit = unit_of_alpha(reader_);
       number_fact(unit ? "α, half-width of each uncertain load, " + *unit
                        : "α, half-width of the factor of each uncertain load",
                   reader_.at(result_, "alpha"));
     }
-    if (worst) worst_case(struts, upper);
+    if (worst && nominal) worst_case(struts, upper);
     critical_interval(struts);
     end_table(page_);
+  }
+
+  // Factors that remain after the loss of members, in all load cases.
+  void loss_factors() {
+    const auto& loss = result_;
+    const auto lost = joined(reader_.names(loss, "lost"));
+    add_fact(page_, "worst loss known", lost);
+    if (ResultReader::find(loss, "fatal") != nullptr) {
+      add_fact(page_,
+               reader_.at(loss, "uncertain") == true ? "some admissible load is then carried"
+                                                     : "the dead load is then carried",
+               "at no factor, " + reader_.text(loss, "fatal"));
+      return;
+    }
+    const auto& factor = reader_.at(loss, "factor");
+    bounds(factor, "load factor after the worst loss");
+    if (!reader_.bound(factor, "lower"))
+      add_fact(page_, "load factor after the worst loss, at least", "not known");
+    if (!reader_.bound(factor, "upper"))
+      add_fact(page_, "load factor after the worst loss, at most", "not known");
+    if (ResultReader::find(loss, "target") == nullptr) return;
+    const auto* const reached = ResultReader::find(loss, "reached");
+    add_fact(page_,
+             fmt::format("load factor after each loss at least {}", reader_.number(loss, "target")),
+             reached == nullptr ? "open"
+             : *reached == true ? "yes"
+                                : "no");
+  }
+
+  // The curves of --curve and --curve-load.
+  void curves() {
+    struct Curve {
+      const char* key;
+      const char* name;
+      const char* load;  // loads of the factors
+    };
+    for (const auto& [key, name, load] :
+         {Curve{"curve", "beta times the critical load", "this load"},
+          Curve{"worst_curve", "Worst case for beta times alpha", "some admissible load"},
+          Curve{"load_curve", "beta times the load of --curve-load", "this load"}}) {
+      if (ResultReader::find(result_, key) == nullptr) continue;
+      page_.element("h3", name);
+      const auto chart = load_curve_chart(reader_, key, name);
+      if (!chart) {
+        page_.element("p", "No piece of the curve was found.");
+        continue;
+      }
+      page_.verbatim(inline_chart(key, *chart));
+      add_load_curve(page_, reader_, key, "β", load);
+    }
   }
 
   void nominal_factors(bool worst, bool struts, const std::string& upper) {
@@ -168,7 +230,9 @@ class LimitSection {
     const std::string loads =
         all ? "every admissible load in every load case" : "every admissible load";
     if (ResultReader::find(result_, "carried_at_none") != nullptr) {
-      add_fact(page_, loads + " is carried",
+      add_fact(page_,
+               all ? "some admissible load in some load case is carried"
+                   : "some admissible load is carried",
                "at no factor, " + reader_.text(result_, "carried_at_none"));
       return;
     }
@@ -215,11 +279,12 @@ class LimitSection {
     page_.open("details").element("summary", "Load factor after the loss of one member" + in_case);
     const auto* const uncertain_loads = ResultReader::find(result_, "uncertain");
     const bool uncertain = uncertain_loads != nullptr && *uncertain_loads == true;
-    begin_table(page_,
-                (uncertain ? "Upper bounds of the load factor after the loss of one member"
-                           : "Load factor after the loss of one member, computed") +
-                    in_case,
-                {"member", "load factor"});
+    begin_table(
+        page_,
+        (uncertain ? "Upper bounds of the load factor after the loss of one member, computed"
+                   : "Load factor after the loss of one member, computed") +
+            in_case,
+        {"member", "load factor"});
     for (const auto* const single : singles) {
       page_.open("tr").element("th", reader_.text(*single, "member"), {{"scope", "row"}});
       page_.open("td");
@@ -227,8 +292,9 @@ class LimitSection {
       if (factor != nullptr) {
         add_number(page_, factor, few_digits, uncertain ? Rounding::up : Rounding::nearest);
       } else {
-        page_.words(reader_.text(*single, "state") == "not-carried" ? "carried at no factor"
-                                                                    : "open");
+        page_.words(reader_.text(*single, "state") != "not-carried" ? "open"
+                    : uncertain ? "some admissible load is carried at no factor"
+                                : "the dead load is carried at no factor");
       }
       page_.close().close();
     }
@@ -260,6 +326,38 @@ class LimitSection {
     columns.insert(columns.end(), actions.begin(), actions.end());
     begin_table(page_, "Combinations of actions: the worst case of each", columns);
     for (const auto* const each : cases) combination(*each, actions);
+    end_table(page_);
+  }
+
+  // The load cases, unless they are combinations of actions.
+  void load_cases() {
+    if (ResultReader::find(result_, "cases") == nullptr ||
+        ResultReader::find(result_, "critical_factors") != nullptr)
+      return;
+    const bool losses = ResultReader::find(result_, "lost_at_most") != nullptr;
+    const std::string factor = losses ? "load factor after the worst loss" : "largest load factor";
+    begin_table(
+        page_, "Load cases",
+        {"load case",
+         std::string("nominal load factor, ") + answer::standing_word(support::Standing::computed),
+         factor + ", at least", "standing", "at most", "standing", "state"});
+    for (const auto& each : reader_.list(result_, "cases")) {
+      page_.open("tr").element("th", reader_.text(each, "name"), {{"scope", "row"}}).open("td");
+      add_number(page_, ResultReader::find(each, "nominal"));
+      page_.close();
+      const auto* const ends = ResultReader::find(each, losses ? "factor" : "maximum");
+      for (const char* const key : {"lower", "upper"}) {
+        page_.open("td");
+        add_bound(page_, reader_, ends, key);
+        page_.close().element("td", standing_of(reader_, ends, key));
+      }
+      const auto state = reader_.text(each, "state");
+      page_.element("td", ResultReader::find(each, "fatal") != nullptr
+                              ? "no factor remains after some loss, " + reader_.text(each, "fatal")
+                          : state == "not-carried" ? "some load is carried at no factor"
+                                                   : state);
+      page_.close();
+    }
     end_table(page_);
   }
 

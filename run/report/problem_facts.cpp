@@ -80,7 +80,9 @@ class ProblemFacts {
                               reader_.number(each, "thickness"), length_);
         }
         if (materials->size() > 1)
-          text += fmt::format(" ({:.0f} elements)", reader_.number(each, "elements"));
+          text += fmt::format(
+              " ({})", answer::counted(static_cast<std::uint64_t>(reader_.number(each, "elements")),
+                                       "element"));
         parts.push_back(std::move(text));
       }
     }

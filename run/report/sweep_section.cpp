@@ -9,6 +9,7 @@
 #include "answer/words.hpp"
 #include "pictures/svg/chart.hpp"
 #include "run/report/facts.hpp"
+#include "run/report/load_curve.hpp"
 #include "run/results/alpha_unit.hpp"
 #include "run/results/sweep_result.hpp"
 
@@ -29,8 +30,10 @@ class SweepSection {
     if (const auto chart = sweep_chart(reader_, reader_.sentence()))
       page_.verbatim(inline_chart("curve", *chart));
     if (loads) {
+      nominal();
       load_points();
-      pieces();
+      const auto unit = unit_of_alpha(reader_);
+      add_load_curve(page_, reader_, "curve", unit ? "α, " + *unit : "α", "some admissible load");
     } else {
       friction_points();
       steps();
@@ -66,10 +69,6 @@ class SweepSection {
   void names(const ResultJson& object, const char* key) {
     words(joined(reader_.names(object, key)));
   }
-  [[nodiscard]] static bool is_true(const ResultJson& value) {
-    return value.is_boolean() && value.get<bool>();
-  }
-
   // The count, or its known part.
   void counts(const ResultJson& counted) {
     for (const char* const key : {"count", "known", "open"}) {
@@ -81,6 +80,8 @@ class SweepSection {
 
   void friction_points() {
     const auto& points = reader_.list(result_, "points");
+    if (points.empty() && reader_.list(result_, "staircase").empty())
+      page_.element("p", "No count of sign patterns is known.");
     if (points.empty()) return;
     begin_table(page_, "Sign patterns at the given points",
                 {"friction coefficient", "count", "known", "undecided"});
@@ -142,7 +143,10 @@ class SweepSection {
 
   void load_points() {
     const auto& points = reader_.list(result_, "points");
-    if (points.empty()) return;
+    if (points.empty()) {
+      page_.element("p", "No point was computed before the early end.");
+      return;
+    }
     const auto unit = unit_of_alpha(reader_);
     begin_table(
         page_, "Worst-case load factor at the given points",
@@ -151,30 +155,25 @@ class SweepSection {
       page_.open("tr");
       number(point, "alpha");
       for (const char* const key : {"lower", "upper"}) bound(reader_.at(point, "maximum"), key);
-      words(reader_.text(point, "state"));
+      const auto state = reader_.text(point, "state");
+      words(state == "not-carried" ? "some admissible load is carried at no factor" : state);
       page_.close();
     }
     end_table(page_);
   }
 
-  void pieces() {
-    const auto& pieces = reader_.list(result_, "curve");
-    if (pieces.empty()) return;
-    begin_table(page_, "Linear pieces of the curve",
-                {"α from", "to", "factor from", "to", "off by at most", "along the reference load",
-                 "yielding members"});
-    for (const auto& piece : pieces) {
-      page_.open("tr");
-      for (const char* const key : {"from", "to", "factor_from", "factor_to", "error"})
-        number(piece, key);
-      const auto* const along = ResultReader::find(piece, "along_reference_load");
-      words(along == nullptr ? "–" : is_true(*along) ? "yes" : "no");
-      names(piece, "yielding");
-      page_.close();
-    }
+  // The factor without uncertainty, and that there is none.
+  void nominal() {
+    const auto* const at_none = ResultReader::find(result_, "nominal_at_none");
+    const auto* const bound = ResultReader::find(result_, "nominal");
+    begin_facts(page_, "Without uncertainty");
+    if (at_none != nullptr)
+      add_fact(page_, "nominal dead load", "carried at no factor, " + at_none->get<std::string>());
+    else if (bound == nullptr)
+      add_fact(page_, "nominal load factor", "not found");
+    else
+      add_bound_fact(page_, reader_, "nominal load factor, at least", {{"lower", *bound}}, "lower");
     end_table(page_);
-    if (const auto* const end = ResultReader::find(result_, "curve_end"))
-      add_facts(page_, "End of the curve: some load is not carried", *end);
   }
 
   Markup& page_;

@@ -23,6 +23,21 @@ using pictures::Chart;
 using pictures::ChartSeries;
 using pictures::Stroke;
 
+// The linear pieces of a curve of load factors, with a gap where they do not meet.
+ChartSeries series_of(const ResultReader& reader, const ResultJson& pieces,
+                      const std::string& name) {
+  ChartSeries curve{.name = name + ", linear between its breakpoints"};
+  double end = 0;
+  for (const auto& piece : pieces) {
+    const double from = reader.number(piece, "from");
+    if (curve.lines.empty() || from != end)
+      curve.lines.push_back({{from, reader.number(piece, "factor_from")}});
+    end = reader.number(piece, "to");
+    curve.lines.back().emplace_back(end, reader.number(piece, "factor_to"));
+  }
+  return curve;
+}
+
 /// Parts common to both.
 class SweepPage {
  public:
@@ -156,7 +171,7 @@ class SweptLoads : public SweepPage {
   using SweepPage::SweepPage;
 
   [[nodiscard]] std::optional<Chart> chart() const {
-    auto line = curve();
+    auto line = series_of(reader_, list("curve"), "worst case");
     auto asked = points();
     if (line.lines.empty() && asked.lines.empty()) return {};
     Chart chart{.title = problem_name() + ": worst-case limit load factor",
@@ -172,18 +187,6 @@ class SweptLoads : public SweepPage {
   }
 
  private:
-  [[nodiscard]] ChartSeries curve() const {
-    ChartSeries curve{.name = "worst case, linear between its breakpoints"};
-    double end = 0;
-    for (const auto& piece : list("curve")) {
-      const double from = number(piece, "from");
-      if (curve.lines.empty() || from != end)
-        curve.lines.push_back({{from, number(piece, "factor_from")}});
-      end = number(piece, "to");
-      curve.lines.back().emplace_back(end, number(piece, "factor_to"));
-    }
-    return curve;
-  }
   // From the lower to the upper bound; the mark is at the upper one.
   [[nodiscard]] ChartSeries points() const {
     constexpr double visible = 1e-3;  // relative
@@ -199,11 +202,16 @@ class SweptLoads : public SweepPage {
         asked.name = "at the given points: from the lower bound to the upper one";
       asked.lines.push_back({{alpha, lower}, {alpha, upper}});
       const auto shown = support::in_sentence(lower, upper, digits);
+      const auto standing = [&](const char* key) {
+        return has(ends, key) ? reader_.text(reader_.at(ends, key), "standing") : "";
+      };
       asked.marks.push_back(
           {alpha, upper,
            std::isinf(lower)
-               ? fmt::format("at most {} at alpha = {}", support::rounded_up(upper, digits), alpha)
-               : fmt::format("{} to {} at alpha = {}", shown.lower, shown.upper, alpha)});
+               ? fmt::format("at most {} at alpha = {}, {}", support::rounded_up(upper, digits),
+                             alpha, standing("upper"))
+               : fmt::format("{} ({}) to {} ({}) at alpha = {}", shown.lower, standing("lower"),
+                             shown.upper, standing("upper"), alpha)});
     }
     return asked;
   }
@@ -218,6 +226,19 @@ bool is_sweep(const ResultReader& reader) {
 
 bool sweeps_loads(const ResultReader& reader) {
   return ResultReader::find(reader.at(reader.all(), "options"), "alpha") != nullptr;
+}
+
+std::optional<pictures::Chart> load_curve_chart(const ResultReader& reader, const char* key,
+                                                const std::string& name) {
+  auto line = series_of(reader, reader.list(reader.at(reader.all(), "result"), key), name);
+  if (line.lines.empty()) return {};
+  return Chart{.title = name,
+               .description = fmt::format("Load factor as a function of beta: {}", name),
+               .lines = {},
+               .x_name = "beta",
+               .y_name = "limit load factor",
+               .whole_numbers = false,
+               .series = {std::move(line)}};
 }
 
 std::optional<pictures::Chart> sweep_chart(const ResultReader& reader,

@@ -1,4 +1,4 @@
-// Chart of a result of `kusabi sweep`.
+// Chart of a result of `kusabi sweep`, and of a curve of `kusabi limit`.
 #pragma once
 
 #include <optional>
@@ -19,5 +19,10 @@ bool sweeps_loads(const ResultReader& reader);
 /// @param sentence headline, below the title
 /// @throws WrongInput
 std::optional<pictures::Chart> sweep_chart(const ResultReader& reader, const std::string& sentence);
+
+/// Load factor over beta, by the pieces under `key` of the result of `kusabi limit`; nothing if
+/// there are none. @param name of the curve  @throws WrongInput
+std::optional<pictures::Chart> load_curve_chart(const ResultReader& reader, const char* key,
+                                                const std::string& name);
 
 }  // namespace kusabi::run

@@ -39,7 +39,8 @@ const char* state_of(const limit::LimitWorstCase& worst,
 // Load factors below the worst case that are carried under every admissible load.
 std::string lower_end_text(const limit::GuaranteedInterval& interval) {
   if (interval.is_empty())
-    return fmt::format("; no factor for all loads{}", answer::unless_proved(interval.standing()));
+    return fmt::format("; no factor is common to all loads{}",
+                       answer::unless_proved(interval.standing()));
   if (!interval.has_factors()) return "; the least factor for all loads is undecided";
   return fmt::format("; for all loads from {} on{}",
                      support::rounded_up(interval.minimum.at_most(), support::digits_of_table),
@@ -76,9 +77,13 @@ class LoadSweep final : public Swept {
     run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
   }
   [[nodiscard]] std::string announcement(const std::string& ranks) const override {
-    return fmt::format("{}: {}, {} members, {} uncertain loads, alpha up to {}{}; {}",
-                       problem_.name, problem_.dimension == 2 ? "in the plane" : "in space",
-                       problem_.member_count(), problem_.uncertain_count(), options_.alpha.back(),
+    const auto counted = [](int count, const char* thing) {
+      return answer::counted(static_cast<std::uint64_t>(count), thing);
+    };
+    return fmt::format("{}: {}, {}, {}, alpha up to {}{}; {}", problem_.name,
+                       problem_.dimension == 2 ? "in the plane" : "in space",
+                       counted(problem_.member_count(), "member"),
+                       counted(problem_.uncertain_count(), "uncertain load"), options_.alpha.back(),
                        problems::alpha_is_force(problem_) ? ' ' + problem_.units.force : "", ranks);
   }
   void search(CommandRun& run) override {
@@ -190,7 +195,7 @@ std::string LoadSweep::table() const {
   for (const auto& [alpha, worst, interval] : found_.points) {
     fmt::format_to(out, "{:>12.8g}  ", alpha);
     if (interval.at_none) {
-      fmt::format_to(out, "not carried at any factor, {}\n",
+      fmt::format_to(out, "some admissible load is carried at no factor, {}\n",
                      answer::standing_word(*interval.at_none));
     } else {
       const auto& ends = worst.ends;
@@ -199,7 +204,9 @@ std::string LoadSweep::table() const {
                      apart ? "; open: the two bounds differ" : "", lower_end_text(interval));
     }
   }
-  if (curve()) text += '\n' + curve_text(problem_, *curve(), "alpha", options_.alpha.back());
+  if (curve())
+    text += '\n' +
+            curve_text(problem_, *curve(), "alpha", "some admissible load", options_.alpha.back());
   return text;
 }
 

@@ -165,8 +165,9 @@ std::string summary_of(const VerifyOptions& options, const std::vector<LossState
   std::size_t states = 0;
   for (const auto& statement : statements) states += statement.states.size();
   if (states == 0) return summary;
-  return summary +
-         fmt::format("{} cover all losses\n", answer::counted(states, "carrying stress state"));
+  return summary + fmt::format("{} {} all losses\n",
+                               answer::counted(states, "carrying stress state"),
+                               states == 1 ? "covers" : "cover");
 }
 
 }  // namespace

@@ -70,7 +70,8 @@ std::string problem_line(const problems::WedgedProblem& problem) {
     line += bodies[k].motions;
   }
   if (bodies.size() > max_described)
-    line += fmt::format("; and {} more unconstrained bodies", bodies.size() - max_described);
+    line += fmt::format("; and {} more unconstrained {}", bodies.size() - max_described,
+                        bodies.size() - max_described == 1 ? "body" : "bodies");
   return line;
 }
 

@@ -316,6 +316,7 @@ Command limit() {
   buckled.minimum.upper = buckled.maximum.lower = std::nullopt;
   auto actions = uncertain(proved(-1.1, -1), proved(1.4, 1.4000001));
   actions.reference_action = "snow";
+  actions.reference_factor = 1.5;
   actions.cases = 2;
   auto none = uncertain({}, {});
   none.carried_at_none = Standing::proved;

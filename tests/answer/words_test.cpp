@@ -257,10 +257,11 @@ TEST(LoadWords, ReportTheGuaranteedIntervalOfASweep) {
                         "0.5 to 1.5 are carried under all admissible loads."));
   steps.minimum = Bracket::proved(2, 2);
   EXPECT_THAT(headline({.answer = steps}),
-              HasSubstr("no load factor is carried under all admissible loads."));
+              HasSubstr("there is no load factor that is carried under all admissible loads."));
   steps.worst.upper = Bound{1.50000001, Standing::proved};
-  EXPECT_THAT(headline({.answer = steps}),
-              HasSubstr("the worst case is between 1.5 and 1.5000001, proved; no load factor"));
+  EXPECT_THAT(
+      headline({.answer = steps}),
+      HasSubstr("the worst case is between 1.5 and 1.5000001, proved; there is no load factor"));
   steps.minimum = {};
   EXPECT_THAT(headline({.answer = steps}), HasSubstr("is open"));
 }
@@ -277,8 +278,8 @@ TEST(LoadWords, PassStrutsByTheirResidualStrength) {
       sentence(),
       "It carries every factor from -1 to 0.4 of the reference load, for every dead load "
       "within ± 40 kN, while no strut falls below its residual strength; even with all struts at "
-      "full strength no factor above 1.2 is carried. Open: whether every factor from 0 to 1 is "
-      "carried.");
+      "full strength some admissible load is carried at no factor above 1.2. Open: whether every "
+      "factor from 0 to 1 is carried.");
   interval.maximum.upper = bound(0.9);
   EXPECT_THAT(sentence(), HasSubstr("Not passed"));
   interval.maximum = {bound(1.1), bound(1.2)};
@@ -287,8 +288,8 @@ TEST(LoadWords, PassStrutsByTheirResidualStrength) {
   EXPECT_THAT(sentence(), ::testing::StartsWith(
                               "With all struts at their residual strength no load factor was "
                               "found that it carries for every dead load within ± 40 kN; even "
-                              "with all struts at full strength no factor above 1.2 is "
-                              "carried."));
+                              "with all struts at full strength some admissible load is "
+                              "carried at no factor above 1.2."));
 }
 
 TEST(LoadWords, SayThatADeadLoadAloneIsNotCarried) {
@@ -296,7 +297,7 @@ TEST(LoadWords, SayThatADeadLoadAloneIsNotCarried) {
   nominal.maximum.lower = nominal.maximum.upper = Bound{-0.5, Standing::computed};
   EXPECT_EQ(headline({.answer = nominal}),
             "The largest factor of the reference load that it carries is at least -0.5 (computed, "
-            "not proved).");
+            "not proved); no factor above -0.5 is carried (computed, not proved).");
   nominal.minimum = Bracket::proved(-3.000001, -3);
   EXPECT_EQ(
       headline({.answer = nominal}),
@@ -318,8 +319,9 @@ TEST(LoadWords, OfSeveralCasesHoldForFactorsThatAllCasesCarry) {
   EXPECT_EQ(sentence(both(-1), both(3)),
             "It carries 3 times the reference load in each of 2 load cases, and no more "
             "(computed, not proved).");
-  EXPECT_EQ(sentence(both(4), both(3)),
-            "No load factor is carried in all of 2 load cases (computed, not proved).");
+  EXPECT_EQ(
+      sentence(both(4), both(3)),
+      "There is no load factor that it carries in all of 2 load cases (computed, not proved).");
   const auto between = [](double lower, double upper) { return Bracket::proved(lower, upper); };
   EXPECT_EQ(sentence(between(2.9, 3.1), between(3, 3.05)),
             "It is numerically undecided whether any load factor is carried in all of 2 load "
@@ -329,7 +331,7 @@ TEST(LoadWords, OfSeveralCasesHoldForFactorsThatAllCasesCarry) {
             "more than 3.0001 times.");
   EXPECT_EQ(sentence({}, both(3)),
             "No load factor was found at which it carries its dead load in each of 2 load cases; "
-            "no factor above 3 is carried (computed, not proved).");
+            "the load of some case is carried at no factor above 3 (computed, not proved).");
 }
 
 TEST(LoadWords, CallADeadLoadWithoutUncertaintyByItsName) {
@@ -339,7 +341,46 @@ TEST(LoadWords, CallADeadLoadWithoutUncertaintyByItsName) {
                                              .maximum = one,
                                              .cases = 2}}),
             "The largest factor of the reference load that it carries is at least 1, under its "
-            "dead load, in each of 2 load cases.");
+            "dead load, in each of 2 load cases; the load of some case is carried at no factor "
+            "above 1.");
+}
+
+// Of a factor above the upper bound it is known that one admissible load is not carried, and no
+// more.
+TEST(LoadWords, SayOfWhichLoadsAFactorIsABound) {
+  LoadInterval interval{.uncertain = LoadRange{2, "kN"},
+                        .minimum = {},
+                        .maximum = {Bound{1}, Bound{1.00001}},
+                        .if_big_m = true};
+  const auto sentence = [&] { return headline({.answer = interval}); };
+  EXPECT_EQ(sentence(),
+            "The largest factor of the reference load that it carries is at least 1 if M is large "
+            "enough (computed, not proved), for every dead load within ± 2 kN; some admissible "
+            "load is carried at no factor above 1.0001 if M is large enough (computed, not "
+            "proved).");
+  interval = {.uncertain = LoadRange{}, .maximum = Bracket::proved(2, 3)};
+  interval.minimum = Bracket::proved(-1, -1);
+  interval.cases = 2;
+  interval.reference_action = "snow";
+  interval.reference_factor = 1.5;
+  EXPECT_EQ(sentence(),
+            "It carries every factor from -1 to 2 of 1.5 snow, in every combination of actions, in "
+            "each of 2 load cases; some combination of actions is carried at no factor above 3. "
+            "Passed: these include 0 to 1.");
+  interval.reference_factor = {};
+  EXPECT_THAT(sentence(), HasSubstr("of the action snow with its factor in each combination,"));
+}
+
+// Nothing is known of the side on which no outer bound is.
+TEST(LoadWords, NameTheBoundsOfAnUndecidedIntervalThatAreKnown) {
+  const LoadInterval undecided{.uncertain = LoadRange{2, "kN"},
+                               .minimum = {{}, Bound{1.1, Standing::proved}},
+                               .maximum = {Bound{1, Standing::proved}, Bound{1.2}}};
+  std::vector<std::string> said;
+  for (const auto& each : reservations({.answer = undecided})) said.push_back(each.sentence);
+  EXPECT_THAT(said, ::testing::Contains("Some admissible load is carried at no factor above 1.2 "
+                                        "(computed, not proved)."));
+  EXPECT_THAT(said, Not(::testing::Contains(HasSubstr("below"))));
 }
 
 TEST(LossWords, NameTheMembersThatAreKept) {
@@ -402,7 +443,7 @@ TEST(LoadWords, ReportAnEmptyInterval) {
                            .minimum = Bracket::proved(1.5, 1.5),
                            .maximum = Bracket::proved(0.5, 0.5)};
   EXPECT_EQ(headline({.answer = empty}),
-            "No load factor is carried for every dead load within ± 2.5 kN.");
+            "There is no load factor that it carries for every dead load within ± 2.5 kN.");
   EXPECT_EQ(exit_code({.answer = empty}), solved);
 }
 

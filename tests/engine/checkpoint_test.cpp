@@ -169,6 +169,19 @@ TEST_F(Checkpoint, KeepsTheSolutionsOfAPool) {
   }
 }
 
+TEST_F(Checkpoint, OneRankOpensNoMoreNodesThanTheLimitOverAllRuns) {
+  auto choice = options();
+  auto tree = RandomTree(1, 20);
+  for (const std::uint64_t limit : {500, 777, 778}) {
+    choice.limits.nodes = limit;
+    const auto outcome = search(tree, choice);
+    EXPECT_EQ(outcome.status, Status::node_limit);
+    EXPECT_EQ(outcome.opened(), limit);
+    std::string warning;
+    choice.checkpoint.resume_from = usable_checkpoint(file_, problem, warning);
+  }
+}
+
 // Nodes that a larger pool requires may have been pruned.
 TEST_F(Checkpoint, OfAnotherPoolIsRefused) {
   auto choice = options();

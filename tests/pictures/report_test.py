@@ -464,10 +464,13 @@ force = [0, -1]
             shown = self.fact(page, f"nominal load factor, {name} (proved)")
             self.assertEqual(shown <= bound["value"], below or shown == bound["value"])
 
+    def cell(self, page, name):
+        """The cell in the row of this name."""
+        return next(each for each in page.root.all("tr") if each.children[0].text() == name).children[1]
+
     def fact(self, page, name):
         """The number shown in the row of this name."""
-        row = next(each for each in page.root.all("tr") if each.children[0].text() == name)
-        return float(row.children[1].text())
+        return float(self.cell(page, name).text())
 
     def test_rounds_bounds_outwards_and_gives_each_its_standing(self):
         result = self.solve("sweep", "gust.toml", "--alpha", "0.5")
@@ -482,8 +485,8 @@ force = [0, -1]
     def test_shows_that_the_existence_of_a_carried_factor_is_undecided(self):
         self.solve("limit", "../tests/cases/uplift.toml", "--alpha", 2)
         text = self.page().with_id("factors").text()
-        self.assertIn("undecided whether at any factor", text)
-        self.assertIn("is not carried at factors below (proved)", text)
+        self.assertIn("undecided whether there are any", text)
+        self.assertIn("factors at which every admissible load is carried, at least (proved)", text)
 
     def rows(self, page, caption):
         """Numbers of the table with this caption, row by row."""
@@ -522,8 +525,68 @@ force = [0, -1]
         self.assertEqual(page.with_id("curve").tag, "svg")
         self.assertEqual(self.rows(page, "Worst-case load factor at the given points"),
                          [[each["alpha"], *(each["maximum"][end]["value"] for end in ("lower", "upper"))] for each in answer["points"]])
-        self.assertEqual(self.rows(page, "Linear pieces of the curve"),
-                         [[each[key] for key in ("from", "to", "factor_from", "factor_to", "error")] for each in answer["curve"]])
+        self.assertEqual(self.rows(page, "Linear pieces of the curve"), self.pieces(answer["curve"]))
+        self.check_pieces(page, "Linear pieces of the curve", ["proved"] * len(answer["curve"]))
+
+    def pieces(self, curve):
+        """The numbers of a curve in a result, piece by piece."""
+        keys = ("from", "to", "factor_from", "factor_to", "error")
+        return [[each[key] for key in keys if each[key] is not None] for each in curve]
+
+    def check_pieces(self, page, caption, standings):
+        """A proved distance is one from the numbers of the file, so that each is shown with all digits."""
+        table = next(each for each in page.root.all("table") if each.children[0].text() == caption)
+        rows = list(next(table.all("tbody")).all("tr"))
+        self.assertEqual([list(row.all("td"))[5].text() for row in rows], standings)
+        for row in rows:
+            for number in list(row.all("data"))[:4]:
+                self.assertEqual(float(number.text()), float(number.attributes["value"]))
+
+    def test_shows_the_curves_of_a_limit_load(self):
+        answer = self.solve("limit", "gust.toml", "--alpha", 0.5, "--curve")["result"]
+        page = self.page()
+        tables = [each for each in page.root.all("table") if each.children[0].text() == "Linear pieces of the curve"]
+        found = [[self.numbers(row) for row in next(table.all("tbody")).all("tr")] for table in tables]
+        self.assertEqual(found, [self.pieces(answer["curve"]), self.pieces(answer["worst_curve"])])
+        self.check_pieces(page, "Linear pieces of the curve", ["computed"] * len(answer["curve"]))
+        for name in ("curve", "worst_curve"):
+            self.assertEqual(page.with_id(name).tag, "svg")
+
+    def test_shows_the_factors_after_the_loss_of_members(self):
+        factor = self.solve("limit", "truss-bridge.toml", "--lose", 1)["result"]["factor"]
+        page = self.page()
+        name = "load factor after the worst loss, at "
+        self.assertEqual(self.numbers(self.cell(page, name + "least (proved)")), [factor["lower"]["value"]])
+        self.assertEqual(self.numbers(self.cell(page, name + "most (proved)")), [factor["upper"]["value"]])
+        factor = self.solve("limit", "truss-bridge.toml", "--lose", 2, "--node-limit", 1)["result"]["factor"]
+        page = self.page()
+        self.assertIsNone(factor["lower"])
+        self.assertIn("not known", self.cell(page, name + "least").text())
+        self.assertEqual(self.numbers(self.cell(page, name + "most (proved)")), [factor["upper"]["value"]])
+
+    def test_says_what_is_known_after_an_early_end(self):
+        result = self.solve("limit", "gust.toml")
+        for key in [key for key in result["result"] if key.startswith("nominal")]:
+            del result["result"][key]
+        result["result"].update({"nominal": None, "maximum": {"lower": None, "upper": None}})
+        self.result.write_text(json.dumps(result))
+        self.assertIn("not found", self.cell(self.page(), "nominal load factor").text())
+        self.solve("limit", "gust.toml", "--alpha", 0.5, "--time-limit", 1e-9)
+        self.assertIn("undecided", self.cell(self.page(), "factors at which every admissible load is carried").text())
+        self.solve("critical", "space-truss.toml", "--node-limit", 1)
+        self.assertIn("from 0 to 1000", self.cell(self.page(), "undecided whether it can stick").text())
+        self.solve("sweep", "space-truss.toml", "--mu", 0.8, "--node-limit", 3)
+        self.assertIn("No count of sign patterns is known", self.page().with_id("sweep").text())
+        result = self.solve("sweep", "gust.toml", "--alpha", "0.5")
+        result["result"].update({"points": [], "curve": []})
+        self.result.write_text(json.dumps(result))
+        self.assertIn("No point was computed", self.page().with_id("sweep").text())
+
+    def test_names_the_load_that_is_carried_at_no_factor(self):
+        self.solve("limit", "gust.toml", "--alpha", 2)
+        self.assertIn("at no factor, proved", self.cell(self.page(), "some admissible load is carried").text())
+        self.solve("sweep", "gust.toml", "--alpha", "2,3")
+        self.assertIn("some admissible load is carried at no factor", self.page().with_id("sweep").text())
 
     def test_escapes_names(self):
         self.solve("patterns", "plane-truss.toml", "--mu", 0.8)

@@ -64,7 +64,7 @@ TEST_F(GuaranteedInterval, OfAHangerUnderUpliftIsThatOfStatics) {
   EXPECT_THAT(run.output, Not(HasSubstr("at least 1.4999")));
   EXPECT_THAT(proved(file, " --alpha 1.5"), HasSubstr("every load factor from "));
   EXPECT_THAT(proved(file, " --alpha 2.5"),
-              HasSubstr("no load factor is carried under every admissible load"));
+              HasSubstr("there is no load factor that is carried under every admissible load"));
 }
 
 // If both ends are 1, no number of digits shows that the interval is not empty.

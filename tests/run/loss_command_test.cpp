@@ -324,7 +324,8 @@ TEST_F(LossCommand, ProvesBothFactorsOfStrutsAfterALoss) {
   }
 }
 
-// By hand: case "hang" has 3 at both strengths; case "push" has 4, and 0.4 after buckling.
+// By hand: case "hang" has 3 at both strengths; case "push" has 4, and 0.4 after buckling, so that it
+// governs.
 std::string tie_and_strut(const std::string& more = {}) {
   return R"(name = "tie and strut"
 dimension = 2
@@ -363,7 +364,15 @@ TEST_F(LossCommand, ReportsTheGoverningCaseBeforeAndAfterBuckling) {
   const auto verdict = [&](const std::string& options) {
     return file_of(argument("two.toml") + options)["verdict"];
   };
-  EXPECT_NEAR(file_of(argument("two.toml"))["result"]["nominal"], 3, 1e-9);
+  const auto json = file_of(argument("two.toml"));
+  EXPECT_EQ(json["result"]["case"], "push");
+  EXPECT_NEAR(json["result"]["nominal"], 4, 1e-9);
+  EXPECT_NEAR(json["result"]["struts"]["nominal"], 0.4, 1e-9);
+  EXPECT_NEAR(json["result"]["maximum"]["upper"]["value"], 3, 1e-6);
+  EXPECT_THAT(json["verdict"]["details"].dump(),
+              HasSubstr("is that of load case push, at residual"));
+  EXPECT_THAT(shell(command + " limit " + argument("two.toml")).output,
+              HasSubstr("the least factor is that of push\n"));
   EXPECT_THAT(verdict("")["sentence"],
               testing::ContainsRegex("It carries 0.(4|39999) times the reference load"));
   const auto uncertain = verdict(" --alpha 0.1 --certificate " + argument("cert"));
@@ -533,7 +542,9 @@ force = [0, -6]
   const auto run = shell(command + " limit " + argument("just.toml") + " --alpha 0 --certificate " +
                          argument("cert"));
   EXPECT_EQ(run.exit_code, 3) << run.output;
-  EXPECT_THAT(run.output, HasSubstr("all at their residual strength: no load factor, proved"));
+  EXPECT_THAT(run.output,
+              HasSubstr("all at their residual strength: the dead load is carried at no load "
+                        "factor of either sign, proved"));
   EXPECT_THAT(on_one_line(run.output), HasSubstr("No certificate was written"));
   EXPECT_FALSE(std::ifstream(in_folder("cert")));
 }

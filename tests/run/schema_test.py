@@ -78,8 +78,8 @@ OPTIONAL_OF = {
     "critical": {"patterns": {"block", "inactive", "axial_forces"},
                  # depending on the method
                  "statistics": {"ranks"}},
-    "limit": {"member_loss": {"forces", "critical_parameters"}, "struts": {"minimum", "maximum", "factor", "fatal", "lost", "member_loss"}, "uncertain_loads": {"half_width"}, "cases": {"minimum", "maximum", "factor"}, "statistics": {"nodes", "corners", "tree_programs", "zero_one", "member_loss"},
-              "result": {"kept", "reference_action", "nominal_bounds", "minimum_parameters", "member_loss", "struts", "zero_one", "case", "cases", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
+    "limit": {"member_loss": {"forces", "critical_parameters"}, "struts": {"minimum", "maximum", "factor", "fatal", "lost", "member_loss"}, "uncertain_loads": {"half_width"}, "cases": {"minimum", "maximum", "factor", "fatal"}, "statistics": {"nodes", "corners", "tree_programs", "zero_one", "member_loss"},
+              "result": {"kept", "reference_action", "reference_factor", "nominal_bounds", "minimum_parameters", "member_loss", "struts", "zero_one", "case", "cases", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
     "sweep": {"result": {"curve_end"}, "patterns": {"block", "inactive"}, "open": {"block", "inactive"}},
     "mip": {"result": {"columns"}},
     "hold": {"structure": {"reference_loads"}},

@@ -49,7 +49,7 @@ void Rank::attend_reduction() {
 }
 
 bool Rank::at_node_limit() const {
-  return local_.statistics().opened >= options_.limits.nodes;
+  return local_.statistics().opened + local_.before().opened >= options_.limits.nodes;
 }
 
 void Rank::join() {

@@ -16,7 +16,6 @@ namespace {
 /// A piece is large enough to be worth a message, and small enough that others soon have its
 /// states.
 constexpr std::uint64_t programs_of_a_piece = 8;
-constexpr std::uint64_t nodes_of_a_piece = 400;
 
 /// Members that one node tries as its last loss.
 constexpr int members_of_a_share = 8;
@@ -189,12 +188,11 @@ bool LossOpener::open_one(const LossNode& node) {
   return true;
 }
 
-LossPiece LossOpener::open(const LossNode& node) {
+LossPiece LossOpener::open(const LossNode& node, std::uint64_t most) {
   piece_ = {};
   stack_ = {node};
   program_.restart(known_.target / factor_unit_ + factor_room);
-  while (!stack_.empty() && piece_.programs < programs_of_a_piece &&
-         piece_.nodes < nodes_of_a_piece) {
+  while (!stack_.empty() && piece_.programs < programs_of_a_piece && piece_.nodes < most) {
     auto next = std::move(stack_.back());
     stack_.pop_back();
     const bool whole = open_one(next) && !support::is_requested(stop_);

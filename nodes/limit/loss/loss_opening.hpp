@@ -63,6 +63,9 @@ struct LossKnowledge {
 
 class LossOpener {
  public:
+  /// Maximum number of nodes in a piece.
+  static constexpr std::uint64_t nodes_of_a_piece = 400;
+
   /// @pre all but `stop` outlive this object
   LossOpener(StateProgram& program, const LossProof& proof, double factor_unit,
              const LossKnowledge& known, support::Stop stop)
@@ -73,8 +76,9 @@ class LossOpener {
         stop_(std::move(stop)) {}
 
   /// Opens nodes in depth-first order from this one on, until a suspect is found or the piece is
-  /// large. The result depends on the node and on `known` alone, unless the search is stopped.
-  LossPiece open(const LossNode& node);
+  /// large. The result depends on the node, on `known` and on `most` alone, unless the search is
+  /// stopped. @param most maximum number of nodes, at most nodes_of_a_piece
+  LossPiece open(const LossNode& node, std::uint64_t most);
 
  private:
   struct Opening;

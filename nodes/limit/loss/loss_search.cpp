@@ -197,10 +197,13 @@ void LossSearch::judge(const IndexSet& suspect) {
   }
 }
 
+// Opens no more nodes than the analysis may.
 std::vector<LossPiece> LossSearch::open_round(const std::vector<LossNode>& batch) {
+  const auto most =
+      std::min(LossOpener::nodes_of_a_piece, analysis_.budget().left().nodes / batch.size());
   return analysis_.share<LossPiece>(batch.size(), [&](std::uint64_t k) {
     LossOpener opener(*program_, proof_, model_.factor_unit, known_, analysis_.budget().stop());
-    return opener.open(batch[k]);
+    return opener.open(batch[k], most);
   });
 }
 
@@ -218,11 +221,14 @@ void LossSearch::search_below() {
           "nodes closed, {} open, {} states",
           parameters_.maximum, known_.target, answer_.counts.nodes, open.size(), states_.size());
     });
-    const auto size = std::min(open.size(), nodes_of_a_round(states_.size(), parameters_.maximum));
+    const auto whole_pieces =
+        std::max<std::uint64_t>(analysis_.budget().left().nodes / LossOpener::nodes_of_a_piece, 1);
+    const auto size = std::min<std::uint64_t>(
+        {open.size(), nodes_of_a_round(states_.size(), parameters_.maximum), whole_pieces});
     const std::vector<LossNode> batch(open.rbegin(),
                                       open.rbegin() + static_cast<std::ptrdiff_t>(size));
     auto pieces = open_round(batch);
-    open.resize(open.size() - size);
+    open.resize(open.size() - pieces.size());  // fewer than now, if an earlier run opened them
     ++answer_.counts.rounds;
     std::set<IndexSet> suspects;
     for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece)

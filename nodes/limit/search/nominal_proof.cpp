@@ -79,6 +79,11 @@ ProvedEnds proved_largest(const verify::Structure& truss, const problems::LimitP
   return proved;
 }
 
+// A factor of the simplex method without its rounding error beyond the proved bounds.
+double within(const support::Bracket& proved, double factor) {
+  return std::min(std::max(factor, proved.at_least()), proved.at_most());
+}
+
 // The model with the opposite reference load.
 problems::LimitModel mirrored(problems::LimitModel model) {
   model.reference = -model.reference;
@@ -116,6 +121,9 @@ NominalProof proof_in_model(RootSearch& search, const verify::Structure& truss, 
   proof.factors.gap = answered_gap * search.model().factor_unit;
   const auto least = opposite ? std::optional(-opposite->collapse.factor) : std::nullopt;
   proof.collapse = search.in_units(search.nominal(), least);
+  auto& [factor, minimum, forces, motion] = proof.collapse;
+  factor = within(proof.factors.largest, factor);
+  if (minimum) minimum = within(proof.factors.minimum, *minimum);
   return proof;
 }
 

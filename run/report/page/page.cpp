@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "answer/values.hpp"
 #include "pictures/html/markup.hpp"
 #include "pictures/svg/inline_picture.hpp"
 #include "run/report/answers.hpp"
@@ -43,23 +44,29 @@ void add_verdict(Markup& page, const ResultReader& reader) {
 // Facts, and the undeformed structure.
 void add_problem_section(Markup& page, const ResultReader& reader, const ResultScenes& scenes) {
   page.open("section", {{"id", "problem"}}).element("h2", "Problem");
-  page.verbatim(
-      inline_svg({"structure", "The undeformed structure",
-                  fmt::format("{} nodes, {} contact candidates", scenes.structure.positions.cols(),
-                              scenes.structure.candidates.size()),
-                  true},
-                 scenes.structure));
+  page.verbatim(inline_svg(
+      {"structure", "The undeformed structure",
+       fmt::format(
+           "{}, {}",
+           answer::counted(static_cast<std::uint64_t>(scenes.structure.positions.cols()), "node"),
+           answer::counted(scenes.structure.candidates.size(), "contact candidate")),
+       true},
+      scenes.structure));
   add_problem(page, reader);
   page.close();
 }
 
 // Both bounds with their standing.
 void add_bracket(Markup& page, const ResultReader& reader) {
-  const auto& bracket = reader.at(reader.at(reader.all(), "result"), "critical_friction");
+  const auto& result = reader.at(reader.all(), "result");
+  const auto& bracket = reader.at(result, "critical_friction");
   page.open("section", {{"id", "bracket"}}).element("h2", "Critical friction coefficient");
   begin_facts(page, "Bracket");
   add_bound_fact(page, reader, "cannot stick at", bracket, "lower");
   add_bound_fact(page, reader, "sticks at", bracket, "upper");
+  if (!reader.bound(bracket, "lower") && !reader.bound(bracket, "upper"))
+    add_fact(page, "undecided whether it can stick",
+             fmt::format("from 0 to {}", reader.number(result, "maximum")));
   end_table(page);
   page.close();
 }

@@ -47,11 +47,13 @@ limit::LoadCurve one_piece(std::optional<double> error) {
 
 TEST(CurveText, RoundsTheEndUpAndGivesTheProvedDistance) {
   const auto cases = two_bars();
-  const auto text = curve_text(cases.front().problem, one_piece(1e-3), "beta");
+  const auto text = curve_text(cases.front().problem, one_piece(1e-3), "beta", "some load");
   EXPECT_THAT(text, HasSubstr("0.12345678    2.876543211"));
-  EXPECT_THAT(text, HasSubstr("0.12345679  not carried at any factor from here on, proved"));
+  EXPECT_THAT(text,
+              HasSubstr("0.12345679  some load is carried at no factor from here on, proved"));
   EXPECT_THAT(text, HasSubstr("each factor is within 0.0011 of that of the curve, proved"));
-  EXPECT_THAT(curve_text(cases.front().problem, one_piece({}), "beta"), Not(HasSubstr("within")));
+  EXPECT_THAT(curve_text(cases.front().problem, one_piece({}), "beta", "some load"),
+              testing::AllOf(Not(HasSubstr("within")), HasSubstr("(computed, not proved)")));
 }
 
 TEST(CurveText, KeepsTheDigitsOfSmallFactors) {
@@ -60,7 +62,7 @@ TEST(CurveText, KeepsTheDigitsOfSmallFactors) {
   piece.from.factor = 3.25e-9;
   piece.from.slope = -1e-9;
   piece.factor_at_end = 3.25e-9 - 1e-9 * piece.to;
-  const auto text = curve_text(two_bars().front().problem, curve, "beta");
+  const auto text = curve_text(two_bars().front().problem, curve, "beta", "some load");
   EXPECT_THAT(text, HasSubstr(" 3.25e-09  "));
   EXPECT_THAT(text, HasSubstr("3.126543211e-09"));
   EXPECT_THAT(text, HasSubstr("within 1.6e-17 of that"));
