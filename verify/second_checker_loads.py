@@ -198,8 +198,10 @@ class Limit(Truss):
             claim = reader.choice(" ".join(words), "largest", "least", "none")
             reader.check(claim not in case[at], "each claim once")
             loads = Loads(dead, [-x if claim == "least" else x for x in reference], columns, alpha)
-            upper = self.upper(reader, range(len(self.B)), strengths, loads, claim == "none")
-            lower = None if claim == "none" else self.lower(reader, strengths, loads, claim == "least")
+            upper, before = self.upper(reader, range(len(self.B)), strengths, loads, claim == "none"), len(self.refusals)
+            lower = self.lower(reader, strengths, loads, claim != "largest")
+            if claim == "none":  # its cuts and nodes, if it has any, claim nothing
+                lower, self.refusals[before:] = None, []
             case[at][claim] = lower, upper
 
     def lower(self, reader, strengths, loads, may_be_open):
@@ -341,7 +343,7 @@ class Loss(Truss):
         most, sudden = reader.whole(most, 1), reader.real(sudden)
         reader.check(sudden >= 1, "a dynamic factor of 1 or more")
         kept, words = self.set(reader, reader.take("kept")), reader.take("lost")
-        strengths, fatal = [(t / sudden, c / sudden) for t, c in strengths], words[-1:] == ["fatal"]
+        fatal = words[-1:] == ["fatal"]
         lost = self.set(reader, words[:len(words) - fatal])
         reader.check(len(lost) <= most and not set(lost) & set(kept), "a loss of so many members that are not kept")
         # One sentence has the claims of all load cases.

@@ -155,6 +155,7 @@ class SecondChecker(KusabiCase):
     def test_limit_loads(self):
         self.check_all([("limit", EXAMPLES / "paper" / "limit-3x3.toml", "--alpha", 40),
                         ("limit", EXAMPLES / "static-gap.toml", "--alpha", 0.45),
+                        ("limit", EXAMPLES / "static-gap.toml", "--alpha", 1),  # not carried at any factor
                         ("limit", EXAMPLES / "gust.toml", "--alpha", 0.45), ("limit", BRIDGE, "--alpha", 1),
                         ("limit", EXAMPLES / "steel-mast.toml"), ("limit", EXAMPLES / "roof-truss.toml"),
                         ("limit", CASES / "groups.toml"), ("limit", CASES / "lambda_zero_not_carried.toml"),
@@ -168,6 +169,7 @@ class SecondChecker(KusabiCase):
         self.assertIn("residual", struts.read_text())
         self.check_all([("limit", BRIDGE, "--lose", 1, "--alpha", 1), ("limit", BRIDGE, "--lose", 2),
                         ("limit", BRIDGE, "--lose", 1, "--sudden", 2),
+                        ("limit", EXAMPLES / "gust.toml", "--lose", 1, "--sudden", 1.5),
                         ("limit", CASES / "force_of_a_lost_member.toml", "--lose", 1),
                         ("limit", EXAMPLES / "steel-mast.toml", "--lose", 1), ("limit", struts, "--alpha", 1),
                         ("limit", struts, "--lose", 1)])
