@@ -391,7 +391,8 @@ class Loss(Truss):
     def sentence(self):
         one, name = len(self.cases) == 1, self.cases[0]["name"]
         worst = min((case["strength"] for case in self.cases), key=lambda claim: claim["upper"])
-        widths = set().union(*(case["widths"] for case in self.cases))
+        of_cases = [case["widths"] for case in self.cases]
+        widths = set().union(*(each or {Fraction(0)} for each in of_cases)) if any(of_cases) else set()
         alpha = f"(alpha = {shortest(*widths)})" if len(widths) == 1 else "(uncertain loads within these half-widths)"
         proved = f"PROVED: in load case {in_quotes(name)}, " if one and name else "PROVED: "
         sudden, lost = worst["sudden"], [self.names[i] for i in worst["lost"]]

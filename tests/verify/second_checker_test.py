@@ -174,6 +174,12 @@ class SecondChecker(KusabiCase):
                         ("limit", EXAMPLES / "steel-mast.toml", "--lose", 1), ("limit", struts, "--alpha", 1),
                         ("limit", struts, "--lose", 1)])
 
+    def test_a_load_case_without_uncertain_loads(self):
+        two_cases = BRIDGE.read_text() + "".join(f'[[loads]]\nkind = "dead"\nnodes = ["t1"]\nforce = [0.0, {y}]\ncase = "{name}"\n'
+                                                 for name, y in (("snow", -1.0), ("none", 0.0)))
+        file = self.problem(re.sub(r"(?m)^\[\[uncertainty\]\].*$", '[[uncertainty]]\ncase = "snow"', two_cases))
+        self.check_all([("limit", file, "--alpha", 1), ("limit", file, "--lose", 1, "--alpha", 1), ("limit", file, "--lose", 1)])
+
     def test_residual_strengths_above_the_strengths_are_refused(self):
         struts = self.problem(re.sub(r"(compression = \d+)( *})", r"\1, residual = 0.3\2", BRIDGE.read_text()))
         (path,) = self.certificates("limit", struts, "--alpha", 1)
