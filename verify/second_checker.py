@@ -664,7 +664,7 @@ class Contact(Certificate):
             numbers, rest = reader.groups([*words[1:], ""], 2)
             numbers, rest, bound = reader.reals(numbers), rest[:-1], None
             loads = list(zip(numbers[::2], numbers[1::2]))
-            reader.check(all(D in (0, 1) for D, _ in loads) and (self.loaded or not loads), "the dead load once or not")
+            reader.check(all(D in (0, 1) and (D or R) for D, R in loads) and (self.loaded or not loads), "loads, not zero")
             if rest:
                 reader.check(len(rest) == 2 and loads and not self.total, "a bound of the sum, without a total")
                 bound = reader.choice(rest[0], "above", "below"), reader.real(rest[1])
@@ -697,7 +697,7 @@ class Contact(Certificate):
         numbers, m, q = reader.reals(words[first + 2:]), block.m, block.q
         if of_state:
             load = reader.reals(words[1:3]) if key == "held" else [Fraction(0)] * 2
-            reader.check(load[0] in (0, 1) and (key == "wedged" or self.loaded), "the dead load once or not")
+            reader.check(load[0] in (0, 1) and (key == "wedged" or self.loaded and any(load)), "a load, not zero")
             reader.check(len(numbers) == len(contact) * (self.d - 1) + q, "tangential reactions and a motion")
             total = self.attempt(line, block.state, sorted(contact), separated, numbers, any(load), *block.load(*load))
             if key == "held":

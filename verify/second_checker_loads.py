@@ -147,7 +147,8 @@ class Truss(Certificate):
             total, reference, best = loads.dead, loads.reference, []
             for x, t in zip(load, loads.columns):
                 total = plus(total, x, t)
-            for u in (motion, without_small_strains(B, motion)):
+            opposite = [[-x for x in motion]] * fatal
+            for u in (each for start in (motion, *opposite) for each in (start, without_small_strains(B, start))):
                 if fatal:
                     at = max(range(len(u)), key=lambda e: abs(reference[e]))
                     u[at] -= dot(reference, u) / reference[at]

@@ -117,7 +117,7 @@ def case_of(seed, index):
 
 class Campaign:
     def __init__(self, asked, folder):
-        self.asker, self.found, self.seed = questions.Asker(asked.kusabi, folder), asked.found, asked.seed
+        self.asker, self.found, self.seed, self.calls = questions.Asker(asked.kusabi, folder), asked.found, asked.seed, asked.calls
         self.folder, self.counts, self.failures = pathlib.Path(folder), Counter(), 0
 
     def fail(self, index, family, question, path, what):
@@ -133,7 +133,7 @@ class Campaign:
         family, table, asked = case_of(self.seed, index)
         file, loaded, total = self.asker.write(table, "problem"), family.startswith(("loaded", "pressed")), None
         self.counts["structures"] += 1
-        for question in asked:
+        for question in random.Random(f"calls/{self.seed}/{index}").sample(asked, min(self.calls, len(asked))):
             result = self.call(index, family, file, question, len(tables.candidates(table)))
             grip = (result or {}).get("grip")
             total = questions.sums(grip) if grip else total
@@ -197,13 +197,17 @@ def main():
     parser.add_argument("--seed", default="1")
     parser.add_argument("--first", type=int, default=0, help="number of the first structure")
     parser.add_argument("--count", type=int, default=300, help="number of structures")
+    parser.add_argument("--calls", type=int, default=10, help="most calls of each structure, chosen at random")
     parser.add_argument("--found", type=pathlib.Path, default=pathlib.Path("refused"), help="folder for the files of failures")
     asked = parser.parse_args()
     asked.found = asked.found.resolve()
     with tempfile.TemporaryDirectory() as folder:
         campaign = Campaign(asked, folder)
-        for index in range(asked.first, asked.first + asked.count):
-            campaign.examine(index)
+        try:
+            for index in range(asked.first, asked.first + asked.count):
+                campaign.examine(index)
+        except KeyboardInterrupt:
+            print(f"ended at structure {index}")
     print(f"{campaign.failures} failures: " + ", ".join(f"{n} {key}" for key, n in sorted(campaign.counts.items())))
     sys.exit(1 if campaign.failures else 0)
 

@@ -234,7 +234,8 @@ class SecondChecker(KusabiCase):
             (r"(?m)^infeasible .*\n", "", (1,)),
             (r"(?m)^(infeasible \d+ )0 0", r"\g<1>1 0", (1,)),  # half of the patterns
             (r"(?m)^infeasible 3 ", "infeasible 4 ", (1, 2)),  # a node of another theorem
-            (r"below \S+", "below 0x1.4p+0", (1,)), (r"above \S+", "above 0x1.4p+0", (1,))))
+            (r"(?m)^(none 1 \d+) \S+ \S+", r"\1 0x0p+0 0x0p+0", (2,)),  # a load of zero
+            (r"(?m)^(held 1) \S+ \S+", r"\1 0x0p+0 0x0p+0", (2,)), (r"below \S+", "below 0x1.4p+0", (1,)), (r"above \S+", "above 0x1.4p+0", (1,))))
 
     def test_forged_limit_loads_and_losses(self):
         (path,) = self.certificates("limit", EXAMPLES / "gust.toml", "--alpha", 0.45)
@@ -242,6 +243,10 @@ class SecondChecker(KusabiCase):
             (r"(?m)^alpha \S+", "alpha 0x1p-1", (1,)), (r"(?m)^(node 0 .*) (\S+)$", r"\1 0x1p+9", (1,)),
             (r"(?m)^load -?\S+", "load 0x1p+0", (1,)), (r"(?m)^(motion) .*", lambda m: m[1] + 99 * " 0x0p+0", (2,)),
             (r"(?m)^cut .*\n", "", (2,)), (r"(?m)^member \S+", "member 0x1p-9", (1,))))
+        path.unlink()
+        (path,) = self.certificates("limit", EXAMPLES / "static-gap.toml", "--alpha", 1)  # not carried at any factor
+        opposite = (r"(?m)^motion .*", lambda m: re.sub(" (-?)0x", lambda n: " 0x" if n[1] else " -0x", m[0]), (0,))
+        self.check_forgeries(path, None, (opposite, (r"(?m)^claim none", "claim largest", (1,))))
         path.unlink()
         (path,) = self.certificates("limit", BRIDGE, "--lose", 1, "--alpha", 1)
         self.check_forgeries(path, None, (
