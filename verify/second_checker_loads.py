@@ -5,6 +5,7 @@ equilibrium with the dead load + a factor times the reference load; u motions, x
 force densities and x is multiplied by the lengths, so that B is rational.
 """
 import math
+import re
 import sys
 from fractions import Fraction
 from typing import NamedTuple
@@ -182,6 +183,7 @@ class Limit(Truss):
         dead, reference = (reader.reals(reader.take(key), self.count) for key in ("dead", "reference"))
         reader.check(any(reference), "a reference load")
         columns = [pairs(reader, reader.take("column"), self.count) for _ in range(reader.one("uncertain"))]
+        reader.check(all(x for t in columns for x in t.values()), "columns without zeros")
         columns = [[t.get(e, Fraction(0)) for e in range(self.count)] for t in columns]
         for _ in range(reader.one("names")):
             reader.take("name")
@@ -235,9 +237,9 @@ class Limit(Truss):
             good = all(x >= 0 for x in [*(nu for _, nu in decided.values()), *shares.values(), *(-x for x in needed)])
             used = [(share, *cuts[c][1:]) for c, share in shares.items()]
             bounds.append(self.attempt(reader.at, self.node_bound, good, strengths, used, factor, q, defect))
-        flaw = cover_flaw(nodes) if nodes or cuts or not may_be_open else None
+        flaw = cover_flaw(nodes) if nodes or not may_be_open else None
         if flaw:
-            self.refusals.append((reader.at, flaw.replace("sign pattern", "combination of signs")))
+            self.refusals.append((reader.at, re.sub("sign pattern(s?)", r"combination\1 of signs", flaw)))
         return min(bounds) if bounds and not flaw and None not in bounds else None
 
     def node_bound(self, good, strengths, cuts, factor, q, defect):

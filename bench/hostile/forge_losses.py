@@ -59,11 +59,11 @@ class Case:
     claims: list
 
 
-def _number(word):
+def number_of(word):
     return float.fromhex(word) if "x" in word else int(word)
 
 
-def _words(*parts):
+def words_of(*parts):
     return " ".join(part.hex() if isinstance(part, float) else str(part) for part in parts)
 
 
@@ -86,7 +86,7 @@ class Certificate:
 
     def next(self):
         key, *words = next(self.lines).split(" ")
-        self.words = [_number(word) if re.fullmatch(r"-?(0x[0-9a-f.]+p[-+]?\d+|\d+)", word) else word for word in words if word]
+        self.words = [number_of(word) if re.fullmatch(r"-?(0x[0-9a-f.]+p[-+]?\d+|\d+)", word) else word for word in words if word]
         return key
 
     def take(self):
@@ -144,22 +144,22 @@ class Certificate:
 
     def text(self):
         lines = ["kusabi certificate 5 loss", f"dimension {self.dimension}", f"nodes {len(self.nodes)}"]
-        lines += [_words("node", *itertools.chain(*node)) for node in self.nodes]
-        lines += [f"members {len(self.members)}", *(_words("member", *member) for member in self.members)]
+        lines += [words_of("node", *itertools.chain(*node)) for node in self.nodes]
+        lines += [f"members {len(self.members)}", *(words_of("member", *member) for member in self.members)]
         for case in self.cases:
             lines += [f"case {case.name}".rstrip()]
             for key in ("dead", "reference"):
-                lines += [f"{key} {len(getattr(case, key))}", *(_words("force", node, *force) for node, force in getattr(case, key))]
+                lines += [f"{key} {len(getattr(case, key))}", *(words_of("force", node, *force) for node, force in getattr(case, key))]
             lines += [f"uncertain {len(case.columns)}"]
-            lines += [_words("column", width, len(parts), *itertools.chain(*parts), *name.split(" ") * bool(name)) for width, parts, name in case.columns]
+            lines += [words_of("column", width, len(parts), *itertools.chain(*parts), *name.split(" ") * bool(name)) for width, parts, name in case.columns]
             for claim in case.claims:
-                lines += [_words("residual", *claim.residual)] if claim.residual is not None else []
-                lines += [_words("lose", claim.most, claim.sudden), _words("kept", len(claim.kept), *claim.kept),
-                          _words("lost", len(claim.lost), *claim.lost, *["fatal"] * claim.fatal), _words("load", *claim.load),
-                          _words("motion", *claim.motion), _words("lower", *([] if claim.lower is None else [claim.lower])), f"states {len(claim.states)}"]
+                lines += [words_of("residual", *claim.residual)] if claim.residual is not None else []
+                lines += [words_of("lose", claim.most, claim.sudden), words_of("kept", len(claim.kept), *claim.kept),
+                          words_of("lost", len(claim.lost), *claim.lost, *["fatal"] * claim.fatal), words_of("load", *claim.load),
+                          words_of("motion", *claim.motion), words_of("lower", *([] if claim.lower is None else [claim.lower])), f"states {len(claim.states)}"]
                 for support, columns in claim.states:
-                    lines += [_words("state", len(support), *support)]
-                    lines += [_words("forces", factor, len(forces), *itertools.chain(*forces.items())) for factor, forces in columns]
+                    lines += [words_of("state", len(support), *support)]
+                    lines += [words_of("forces", factor, len(forces), *itertools.chain(*forces.items())) for factor, forces in columns]
         content = "\n".join([*lines, "end"]) + "\n"
         return content + f"digest {hashlib.sha1(content.encode()).hexdigest()}\n"
 
@@ -167,14 +167,14 @@ class Certificate:
 # Correct answers ------------------------------------------------------------------------------------------------------
 
 @lru_cache(100000)
-def largest(columns, tension, compression, reference, load, number):
-    """Largest factor at which a load is carried; None: at none, or there is no largest one."""
+def ends_of(columns, tension, compression, reference, load, number):
+    """Least and largest factor at which a load is carried; inf, -inf: at none; not numbers: not solved."""
     truss = {"columns": columns, "tension": tension, "compression": compression, "reference": reference}
     try:
         found = trusses.factors(truss, load, number)
     except trusses.Failed:
-        return math.nan
-    return -math.inf if found is None else found[1]
+        return math.nan, math.nan
+    return (math.inf, -math.inf) if found is None else found
 
 
 class Truth:
@@ -216,7 +216,7 @@ class Truth:
         strengths = [(t, c if residual is None else residual[i]) for i, (_, _, t, c) in enumerate(self.own.members)]
         tension, compression = (tuple(0.0 if i in lost else each[k] / self.lengths[i] for i, each in enumerate(strengths)) for k in (0, 1))
         for corner in self.corners(case):
-            yield largest(tuple(self.columns), tension, compression, tuple(self.load(case.reference)), corner, number)
+            yield ends_of(tuple(self.columns), tension, compression, tuple(self.load(case.reference)), corner, number)[1]
 
     def least(self, case, losses, residual=None, below=None):
         """Least factor over all losses and loads, or, sooner, one below a number."""
@@ -489,14 +489,12 @@ def problem(seed, index):
 
 def honest(kusabi, folder, text, arguments, rng):
     """Certificates of one problem, by call; the first is that of its yield forces and half-widths."""
-    file, found = folder / "problem.toml", {}
-    file.write_text(text)
-    names = re.findall(r"(?m)^(n\d+) = ", text)
+    found, names = {}, re.findall(r"(?m)^(n\d+) = ", text)
     calls = [["--lose", "1", *arguments], ["--lose", "2", *arguments], ["--lose", "1", "--sudden", rng.choice(("2", "1.5")), *arguments],
              ["--lose", "1", "--keep", rng.choice(names), *arguments]] + [["--lose", "1"]] * (arguments != [] and "alpha =" not in text)
     calls += [["--lose", "1", "--case", "one", *arguments]] * ('case = "one"' in text)
     for words in calls:
-        subprocess.run([kusabi, "limit", file, *words, "--serial", "--certificate", folder / "cert"], capture_output=True, text=True, timeout=600)
+        subprocess.run([kusabi, "limit", folder / "problem.toml", *words, "--serial", "--certificate", folder / "cert"], capture_output=True, text=True, timeout=600)
         if not (folder / "cert").exists():
             if not found:
                 break
@@ -507,7 +505,12 @@ def honest(kusabi, folder, text, arguments, rng):
             found[" ".join(words)] = Certificate(text)
         elif not found:
             break
-    return found
+    is_fatal = not any(claim.states for each in found.values() for claim in each.claims)
+    return {} if is_fatal and rng.random() < 0.8 else found
+
+
+def has_states(own):
+    return any(claim.states for claim in own.claims)
 
 
 def origin_of(own, origin):
@@ -538,30 +541,35 @@ def checked(kusabi, path, file):
     return {key: (code, verdicts.conclusion(output), output) for key, (code, output) in found.items()}
 
 
-def false_statements(own, origin, names, found):
-    """What is false in the verdicts, and the number of statements compared."""
-    wrong, checked = [], 0
+def judge_of(own, origin, of_file, names):
+    """For the sentences about a certificate, by itself or of the problem file; nothing: not compared."""
+    judged = origin_of(own, origin) if of_file else own
+    return judged and Judge(judged, names if of_file else range(len(own.nodes)))
+
+
+def false_statements(own, origin, names, found, judge_of):
+    """False parts of the verdicts, and the number of statements compared."""
+    wrong, compared = [], 0
     for checker, (code, sentence, output) in found.items():
         if code not in (0, 1, 2, 3) or "Traceback" in output or "WRONG" in output:
             wrong.append(f"{checker}: exit code {code}: {output[-300:]}")
-        if not sentence.startswith("PROVED"):
-            continue
-        of_file = checker == FILE_ONLY
-        judged = origin_of(own, origin) if of_file else own
-        if judged is None:
-            continue  # of a load case without a name, which is found by its loads
-        judge = Judge(judged, names if of_file else range(len(own.nodes)))
-        wrong += [f"{checker}: {sentence}: {part}" for part in judge.false_parts(sentence)]
-        checked += judge.checked
-    return wrong, checked
+        judge = judge_of(own, origin, checker == FILE_ONLY, names) if sentence.startswith("PROVED") else None
+        if judge:
+            wrong += [f"{checker}: {sentence}: {part}" for part in judge.false_parts(sentence)]
+            compared += judge.checked
+    return wrong, compared
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+def campaign(about, honest, is_preferred, forger, judge_of):
+    """Runs the command line of a script.
+
+    @param about its docstring @param honest certificates of a problem by call @param is_preferred those that are forged
+           more often @param forger class of the changes @param judge_of of the sentences about a certificate"""
+    parser = argparse.ArgumentParser(description=about.splitlines()[0])
     parser.add_argument("--kusabi", default="build/kusabi", help="the command under test")
     parser.add_argument("--seed", default="1")
     parser.add_argument("--count", type=int, default=1000, help="number of forgeries")
-    parser.add_argument("--found", type=pathlib.Path, default=pathlib.Path("wrong"), help="folder for what is wrong")
+    parser.add_argument("--found", type=pathlib.Path, default=pathlib.Path("wrong"), help="folder for the files of failures")
     asked = parser.parse_args()
     kusabi = pathlib.Path(asked.kusabi).resolve()
     outcomes, changes, proved, foreign = Counter(), Counter(), Counter(), []
@@ -571,21 +579,20 @@ def main():
         path, file = folder / "forged", folder / "problem.toml"
         while left > 0:
             index += 1
-            rng = random.Random(f"forged losses/{asked.seed}/{index}")
-            made = problem(asked.seed, index)
-            originals = honest(kusabi, folder, *made, rng) if made else {}
-            if not originals or (not any(claim.states for each in originals.values() for claim in each.claims) and rng.random() < 0.8):
-                continue  # every loss is fatal
-            names = re.findall(r"(?m)^(n\d+) = ", made[0])
-            donors, calls = list(originals.values()), list(originals)
-            for number in range(len(donors) + min(EACH, left)):
+            rng = random.Random(f"forged/{asked.seed}/{index}")
+            if (made := problem(asked.seed, index)) is None:
+                continue
+            file.write_text(made[0])
+            originals = honest(kusabi, folder, *made, rng)
+            names, donors, calls = re.findall(r"(?m)^(n\d+) = ", made[0]), list(originals.values()), list(originals)
+            for number in range(len(donors) + min(EACH, left) * bool(donors)):
                 is_honest, what = number < len(donors), []
-                own = copy.deepcopy(donors[number] if is_honest else rng.choice(donors + 3 * [each for each in donors if any(claim.states for claim in each.claims)]))
+                own = copy.deepcopy(donors[number] if is_honest else rng.choice(donors + 3 * [*filter(is_preferred, donors)]))
                 if not is_honest:
-                    what, left = Forger(rng, own, foreign if foreign and rng.random() < 0.15 else donors).changes(), left - 1
+                    what, left = forger(rng, own, foreign if foreign and rng.random() < 0.15 else donors).changes(), left - 1
                 path.write_text(own.text())
                 found = checked(kusabi, path, file)
-                wrong, count = false_statements(own, donors[0], names, found)
+                wrong, count = false_statements(own, donors[0], names, found, judge_of)
                 compared += count
                 first, second = found["verify"], found["second checker"]
                 if is_honest and any(code != 0 for code, *_ in found.values()):
@@ -610,4 +617,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    campaign(__doc__, honest, has_states, Forger, judge_of)
