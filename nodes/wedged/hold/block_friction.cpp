@@ -48,6 +48,7 @@ bool BlockHold::prove_lower(HoldingFriction& found, double max_infeasible) {
   const HoldingFriction before = found;
   for (const double step : steps_below) {
     const double mu = max_infeasible * (1 - step);
+    if (step > 0 && mu * min_of_factors(block_.problem) < min_friction) return true;
     const auto outcome = search(share, mu, 0, 0);
     if (outcome.status != engine::Status::solved) {
       found.status = outcome.status;
