@@ -673,7 +673,7 @@ class Contact(Certificate):
             numbers, rest = reader.groups([*words[1:], ""], 2)
             numbers, rest, bound = reader.reals(numbers), rest[:-1], None
             loads = list(zip(numbers[::2], numbers[1::2]))
-            reader.check(all(D in (0, 1) for D, _ in loads) and (self.loaded or not loads), "the dead load once or not")
+            reader.check(all(D in (0, 1) and (D or R) for D, R in loads) and (self.loaded or not loads), "loads, not zero")
             excepted = rest == ["except", "dead"]
             if excepted:
                 reader.check(len(loads) == 2 and loads.count((1, 0)) == 1, "the dead load and another load")
@@ -709,7 +709,7 @@ class Contact(Certificate):
         numbers, m, q = reader.reals(words[first + 2:]), block.m, block.q
         if of_state:
             load = reader.reals(words[1:3]) if key == "held" else [Fraction(0)] * 2
-            reader.check(load[0] in (0, 1) and (key == "wedged" or self.loaded), "the dead load once or not")
+            reader.check(load[0] in (0, 1) and (key == "wedged" or self.loaded and any(load)), "a load, not zero")
             reader.check(len(numbers) == len(contact) * (self.d - 1) + q, "tangential reactions and a motion")
             total = self.attempt(line, block.state, sorted(contact), separated, numbers, any(load), *block.load(*load))
             if key == "held":

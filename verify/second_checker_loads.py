@@ -5,6 +5,7 @@ equilibrium with the dead load + a factor times the reference load; u motions, x
 force densities and x is multiplied by the lengths, so that B is rational.
 """
 import math
+import re
 import sys
 from fractions import Fraction
 from typing import NamedTuple
@@ -147,7 +148,8 @@ class Truss(Certificate):
             total, reference, best = loads.dead, loads.reference, []
             for x, t in zip(load, loads.columns):
                 total = plus(total, x, t)
-            for u in (motion, without_small_strains(B, motion)):
+            opposite = [[-x for x in motion]] * fatal
+            for u in (each for start in (motion, *opposite) for each in (start, without_small_strains(B, start))):
                 if fatal:
                     at = max(range(len(u)), key=lambda e: abs(reference[e]))
                     u[at] -= dot(reference, u) / reference[at]
@@ -181,6 +183,7 @@ class Limit(Truss):
         dead, reference = (reader.reals(reader.take(key), self.count) for key in ("dead", "reference"))
         reader.check(any(reference), "a reference load")
         columns = [pairs(reader, reader.take("column"), self.count) for _ in range(reader.one("uncertain"))]
+        reader.check(all(x for t in columns for x in t.values()), "columns without zeros")
         columns = [[t.get(e, Fraction(0)) for e in range(self.count)] for t in columns]
         for _ in range(reader.one("names")):
             reader.take("name")
@@ -198,8 +201,10 @@ class Limit(Truss):
             claim = reader.choice(" ".join(words), "largest", "least", "none")
             reader.check(claim not in case[at], "each claim once")
             loads = Loads(dead, [-x if claim == "least" else x for x in reference], columns, alpha)
-            upper = self.upper(reader, range(len(self.B)), strengths, loads, claim == "none")
-            lower = None if claim == "none" else self.lower(reader, strengths, loads, claim == "least")
+            upper, before = self.upper(reader, range(len(self.B)), strengths, loads, claim == "none"), len(self.refusals)
+            lower = self.lower(reader, strengths, loads, claim != "largest")
+            if claim == "none":  # its cuts and nodes, if it has any, claim nothing
+                lower, self.refusals[before:] = None, []
             case[at][claim] = lower, upper
 
     def lower(self, reader, strengths, loads, may_be_open):
@@ -232,9 +237,9 @@ class Limit(Truss):
             good = all(x >= 0 for x in [*(nu for _, nu in decided.values()), *shares.values(), *(-x for x in needed)])
             used = [(share, *cuts[c][1:]) for c, share in shares.items()]
             bounds.append(self.attempt(reader.at, self.node_bound, good, strengths, used, factor, q, defect))
-        flaw = cover_flaw(nodes) if nodes or cuts or not may_be_open else None
+        flaw = cover_flaw(nodes) if nodes or not may_be_open else None
         if flaw:
-            self.refusals.append((reader.at, flaw.replace("sign pattern", "combination of signs")))
+            self.refusals.append((reader.at, re.sub("sign pattern(s?)", r"combination\1 of signs", flaw)))
         return min(bounds) if bounds and not flaw and None not in bounds else None
 
     def node_bound(self, good, strengths, cuts, factor, q, defect):
@@ -341,7 +346,7 @@ class Loss(Truss):
         most, sudden = reader.whole(most, 1), reader.real(sudden)
         reader.check(sudden >= 1, "a dynamic factor of 1 or more")
         kept, words = self.set(reader, reader.take("kept")), reader.take("lost")
-        strengths, fatal = [(t / sudden, c / sudden) for t, c in strengths], words[-1:] == ["fatal"]
+        fatal = words[-1:] == ["fatal"]
         lost = self.set(reader, words[:len(words) - fatal])
         reader.check(len(lost) <= most and not set(lost) & set(kept), "a loss of so many members that are not kept")
         # One sentence has the claims of all load cases.
@@ -389,7 +394,8 @@ class Loss(Truss):
     def sentence(self):
         one, name = len(self.cases) == 1, self.cases[0]["name"]
         worst = min((case["strength"] for case in self.cases), key=lambda claim: claim["upper"])
-        widths = set().union(*(case["widths"] for case in self.cases))
+        of_cases = [case["widths"] for case in self.cases]
+        widths = set().union(*(each or {Fraction(0)} for each in of_cases)) if any(of_cases) else set()
         alpha = f"(alpha = {shortest(*widths)})" if len(widths) == 1 else "(uncertain loads within these half-widths)"
         proved = f"PROVED: in load case {in_quotes(name)}, " if one and name else "PROVED: "
         sudden, lost = worst["sudden"], [self.names[i] for i in worst["lost"]]

@@ -3,8 +3,8 @@ loads and numbers, always well-formed, with correct counts and digest.
 
     python3 bench/hostile/forge.py --kusabi build/kusabi --count 2000 --seed 1 --found wrong/
 
-The sentence of `kusabi verify`, and every line that it does not refuse, is compared with the states of all sign
-patterns, by linear programs in rational numbers. Prints each false statement that is accepted, each honest certificate
+The sentences of `kusabi verify` and of verify/second_checker.py, and every line that the former does not refuse, are
+compared with the states of all sign patterns, by linear programs in rational numbers. Prints each false statement that is accepted, each honest certificate
 that is refused, and each failure. Exit code 0: none.
 """
 import argparse
@@ -27,6 +27,7 @@ from functools import lru_cache
 import bodies
 import generate_bodies
 import hold
+import verdicts
 from compare import Kusabi
 from exact_program import INFEASIBLE, Program, exact_optimum
 from generate import Case
@@ -484,16 +485,20 @@ def judged(kusabi, truth, own, path, toml):
     content, places = own.text()
     pathlib.Path(path).write_text(content)
     done = subprocess.run([kusabi, "verify", path, "--problem", toml, "--serial"], capture_output=True, text=True, timeout=600)
-    output = done.stdout + done.stderr
+    output, (second_code, second) = done.stdout + done.stderr, verdicts.of_second_checker(path)
     sentence = re.search(r"^(NOT PROVED|NOTHING PROVED|PROVED( except)?).*", output, re.M)
+    if second_code not in (0, 1, 2, 3) or "Traceback" in second or "CHECKER IS WRONG" in second:
+        return "failed", [f"second checker: exit code {second_code}: {second[-300:]}"], 0
     if done.returncode == 2:
-        return "malformed", [], 0
+        return "malformed", [] if second_code == 2 else [f"malformed, but the second checker says: {second[-300:]}"], 0
     if done.returncode not in (0, 1, 3) or not sentence or "the verification itself is wrong" in output:
         return "failed", [f"exit code {done.returncode}: {output[-300:]}"], 0
     if "K is positive definite" not in output:
         return "of another problem", [], 0
     judge = Judge(truth, own, output)
     wrong = [*judge.false_lines(places), *(judge.false_parts(sentence.group()) if sentence.group().startswith("PROVED") else ())]
+    if (says := verdicts.conclusion(second)).startswith("PROVED"):  # of the numbers of the certificate, which are those of the file
+        wrong += [f"second checker: {part}" for part in Judge(truth, own, output + says).false_parts(says)]
     return sentence.group(1), wrong, judge.checked
 
 

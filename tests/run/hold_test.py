@@ -146,6 +146,16 @@ class Hold(KusabiCase):
         for end in ("low", "high"):
             self.assertAlmostEqual(with_ends(result["result"]["grip"])[end], 1, delta=1e-6)
 
+    def test_the_least_coefficient_that_is_not_zero(self):
+        """A block whose horizontal load is about 1e-6 of its weight, the least coefficient of a cone, slips below."""
+        for share in (1 + 1e-9, 1 + 1e-8, 1, 1 - 1e-8):
+            with self.subTest(share):
+                text = BLOCK + LOAD.format('"block.0,0", "block.1,0"', [1e-6 * share, -1.0])
+                found = self.solve("hold", self.problem(text))["result"]["holding_friction"]
+                self.assertAlmostEqual(found["upper"]["value"], 1e-6, delta=1e-13)
+                room = 0 if found["lower"]["standing"] == "proved" else 2e-14  # of a margin that is numerically zero
+                self.assertLessEqual(found["lower"]["value"], 1e-6 * share + room)
+
     def test_a_part_wedged_in_another_one_does_not_hold_it(self):
         # A box with a wedge in its groove stands on the floor: the wedge can be clamped from tan 15 degrees = 0.268 on, and
         # the box slides up to 0.3.

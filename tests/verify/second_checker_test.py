@@ -155,6 +155,7 @@ class SecondChecker(KusabiCase):
     def test_limit_loads(self):
         self.check_all([("limit", EXAMPLES / "paper" / "limit-3x3.toml", "--alpha", 40),
                         ("limit", EXAMPLES / "static-gap.toml", "--alpha", 0.45),
+                        ("limit", EXAMPLES / "static-gap.toml", "--alpha", 1),  # not carried at any factor
                         ("limit", EXAMPLES / "gust.toml", "--alpha", 0.45), ("limit", BRIDGE, "--alpha", 1),
                         ("limit", EXAMPLES / "steel-mast.toml"), ("limit", EXAMPLES / "roof-truss.toml"),
                         ("limit", CASES / "groups.toml"), ("limit", CASES / "lambda_zero_not_carried.toml"),
@@ -168,9 +169,16 @@ class SecondChecker(KusabiCase):
         self.assertIn("residual", struts.read_text())
         self.check_all([("limit", BRIDGE, "--lose", 1, "--alpha", 1), ("limit", BRIDGE, "--lose", 2),
                         ("limit", BRIDGE, "--lose", 1, "--sudden", 2),
+                        ("limit", EXAMPLES / "gust.toml", "--lose", 1, "--sudden", 1.5),
                         ("limit", CASES / "force_of_a_lost_member.toml", "--lose", 1),
                         ("limit", EXAMPLES / "steel-mast.toml", "--lose", 1), ("limit", struts, "--alpha", 1),
                         ("limit", struts, "--lose", 1)])
+
+    def test_a_load_case_without_uncertain_loads(self):
+        two_cases = BRIDGE.read_text() + "".join(f'[[loads]]\nkind = "dead"\nnodes = ["t1"]\nforce = [0.0, {y}]\ncase = "{name}"\n'
+                                                 for name, y in (("snow", -1.0), ("none", 0.0)))
+        file = self.problem(re.sub(r"(?m)^\[\[uncertainty\]\].*$", '[[uncertainty]]\ncase = "snow"', two_cases))
+        self.check_all([("limit", file, "--alpha", 1), ("limit", file, "--lose", 1, "--alpha", 1), ("limit", file, "--lose", 1)])
 
     def test_residual_strengths_above_the_strengths_are_refused(self):
         struts = self.problem(re.sub(r"(compression = \d+)( *})", r"\1, residual = 0.3\2", BRIDGE.read_text()))
@@ -226,14 +234,21 @@ class SecondChecker(KusabiCase):
             (r"(?m)^infeasible .*\n", "", (1,)),
             (r"(?m)^(infeasible \d+ )0 0", r"\g<1>1 0", (1,)),  # half of the patterns
             (r"(?m)^infeasible 3 ", "infeasible 4 ", (1, 2)),  # a node of another theorem
-            (r"below \S+", "below 0x1.4p+0", (1,)), (r"above \S+", "above 0x1.4p+0", (1,))))
+            (r"(?m)^(none 1 \d+) \S+ \S+", r"\1 0x0p+0 0x0p+0", (2,)),  # a load of zero
+            (r"(?m)^(held 1) \S+ \S+", r"\1 0x0p+0 0x0p+0", (2,)), (r"below \S+", "below 0x1.4p+0", (1,)), (r"above \S+", "above 0x1.4p+0", (1,))))
 
     def test_forged_limit_loads_and_losses(self):
         (path,) = self.certificates("limit", EXAMPLES / "gust.toml", "--alpha", 0.45)
         self.check_forgeries(path, None, (
             (r"(?m)^alpha \S+", "alpha 0x1p-1", (1,)), (r"(?m)^(node 0 .*) (\S+)$", r"\1 0x1p+9", (1,)),
             (r"(?m)^load -?\S+", "load 0x1p+0", (1,)), (r"(?m)^(motion) .*", lambda m: m[1] + 99 * " 0x0p+0", (2,)),
-            (r"(?m)^cut .*\n", "", (2,)), (r"(?m)^member \S+", "member 0x1p-9", (1,))))
+            (r"(?m)^cut .*\n", "", (2,)), (r"(?m)^member \S+", "member 0x1p-9", (1,)),
+            (r"(?m)^(column \d+) \S+", r"\1 0x0p+0", (2,)),
+            (r"(?s)(claim least.*?\nnodes )\d+\n(node [^\n]*\n)+", r"\g<1>0\n", (0,))))  # the bound of the motion
+        path.unlink()
+        (path,) = self.certificates("limit", EXAMPLES / "static-gap.toml", "--alpha", 1)  # not carried at any factor
+        opposite = (r"(?m)^motion .*", lambda m: re.sub(" (-?)0x", lambda n: " 0x" if n[1] else " -0x", m[0]), (0,))
+        self.check_forgeries(path, None, (opposite, (r"(?m)^claim none", "claim largest", (1,))))
         path.unlink()
         (path,) = self.certificates("limit", BRIDGE, "--lose", 1, "--alpha", 1)
         self.check_forgeries(path, None, (

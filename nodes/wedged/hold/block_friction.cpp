@@ -48,6 +48,7 @@ bool BlockHold::prove_lower(HoldingFriction& found, double max_infeasible) {
   const HoldingFriction before = found;
   for (const double step : steps_below) {
     const double mu = max_infeasible * (1 - step);
+    if (step > 0 && mu * min_of_factors(block_.problem) < min_friction) return true;
     const auto outcome = search(share, mu, 0, 0);
     if (outcome.status != engine::Status::solved) {
       found.status = outcome.status;
@@ -154,7 +155,10 @@ void BlockHold::follow(HoldingFriction& found, double minimum) {
     const double start = std::max(found.bracket.at_least(), minimum);
     const auto answer_at = [&](double mu) {
       nodes.set_friction(mu);
-      return by_standard(nodes, *found.pattern, standard);
+      auto answer = by_standard(nodes, *found.pattern, standard);
+      if (answer.result == HoldResult::infeasible)
+        answer.excluded_to = nodes.excluded_friction(*found.pattern);
+      return answer;
     };
     if (start == minimum && answer_at(minimum).result == HoldResult::feasible) {
       found.bracket.upper->value = minimum;

@@ -1,4 +1,4 @@
-// Secants through points without states, with bisection where they are of no use.
+// Estimates of the end, with bisection where they are of no use.
 #include "nodes/wedged/hold/end_search.hpp"
 
 #include <algorithm>
@@ -28,9 +28,10 @@ bool is_between(double point, double one, double other) {
   return std::min(one, other) < point && point < std::max(one, other);
 }
 
-// Estimates of the end by the secant of t*, preferably through the last two points without states:
-// with states t* has kinks, and is flat (margin_curve.hpp).
-class Secant {
+// Estimates of the end: the last point up to which states are excluded, or the zero of the secant of
+// t*, preferably through the last two points without states. With states t* has kinks, and is flat
+// (margin_curve.hpp).
+class EndEstimate {
  public:
   // The next point: at about the error of the estimate beside it, towards the farther one of both
   // points of the end, which then is as close. Nothing: bisection is to be preferred.
@@ -55,6 +56,7 @@ class Secant {
       const bool missed = has_states != expects_states_;
       beside_ = missed ? growth_of_distance * std::max(beside_, share_beside * width) : 0;
     }
+    if (std::isfinite(answer.excluded_to)) excluded_to_ = answer.excluded_to;
     if (!std::isfinite(answer.margin)) return;
     auto& points = has_states ? with_states_ : without_;
     points = {points[1], {point, answer.margin}};
@@ -67,8 +69,9 @@ class Secant {
   };
   using Points = std::array<Point, 2>;  // the last one and that before
 
-  // Not a number if there are fewer than two points.
+  // Not a number if nothing is known.
   [[nodiscard]] double estimate() const {
+    if (std::isfinite(excluded_to_)) return excluded_to_;
     const auto is_known = [](const Point& each) { return !std::isnan(each.point); };
     const Point& one = is_known(without_[1]) ? without_[1] : with_states_[1];
     const Point& other = is_known(without_[0])   ? without_[0]
@@ -88,6 +91,7 @@ class Secant {
   }
 
   Points without_, with_states_;
+  double excluded_to_ = std::numeric_limits<double>::quiet_NaN();
   double estimate_ = std::numeric_limits<double>::quiet_NaN();
   double beside_ = 0;  // least distance of the next point from the estimate
   bool expects_states_ = false;
@@ -110,7 +114,7 @@ PatternEnd close_in(PatternEnd end, EndWidth width,
   const auto close = [&](double one, double other) {
     return std::abs(one - other) <= width_at(one, other);
   };
-  Secant secant;
+  EndEstimate estimates;
   for (int step = 0; step < max_end_steps; ++step) {
     if (close(feasible, infeasible) ||
         (undecided && close(feasible, open_feasible) && close(open_infeasible, infeasible)))
@@ -123,14 +127,14 @@ PatternEnd close_in(PatternEnd end, EndWidth width,
     const double from = beyond ? open_infeasible : feasible;
     const double to = undecided && !beyond ? open_feasible : infeasible;
     const double bound = width_at(feasible, infeasible);
-    const auto estimate = undecided ? std::nullopt : secant.next(end, bound);
+    const auto estimate = undecided ? std::nullopt : estimates.next(end, bound);
     const double point = estimate.value_or(from + (to - from) / 2);
     if (point == from || point == to) {
       if (!undecided) return end;
       continue;
     }
     const PointAnswer answer = answer_at(point);
-    secant.add(point, answer, estimate.has_value(), bound);
+    estimates.add(point, answer, estimate.has_value(), bound);
     switch (answer.result) {
       case HoldResult::feasible:
         feasible = point;

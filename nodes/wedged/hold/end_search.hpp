@@ -2,8 +2,10 @@
 // coefficients, sums of normal reactions. The states of a pattern are convex, so that there is one
 // end in each direction, and t* of its cone program changes sign there.
 //
-// Bisection to nine digits took 33 programs, the last of which are solved in higher precision. The
-// zero of the secant of t* takes about ten, two of them in higher precision.
+// Bisection to nine digits takes 33 programs, the last of which are solved in higher precision. The
+// points up to which the multipliers of an infeasible point exclude states approach the end
+// quadratically, and are exact where the same inequalities remain active; secants of t* serve where
+// they are not known. Both take about ten programs, two of them in higher precision.
 #pragma once
 
 #include <functional>
@@ -17,6 +19,8 @@ namespace kusabi::wedged {
 struct PointAnswer {
   HoldResult result;
   double margin = std::numeric_limits<double>::quiet_NaN();  ///< t*, if known
+  /// Of an infeasible point: another one up to which its multipliers exclude states, if known.
+  double excluded_to = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// An end: the pattern has states at `feasible`, and none at `infeasible`.

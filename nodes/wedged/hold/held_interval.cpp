@@ -20,7 +20,12 @@ constexpr double min_factor_share = 1e-12;
 PointAnswer BlockHold::answer_at(const LoadedPattern& pattern, LoadShare share, double mu,
                                  Standard standard) const {
   HoldNodes nodes(block_, std::array{share}, mu, parameters_.precision, grip_);
-  return by_standard(nodes, pattern, standard);
+  auto answer = by_standard(nodes, pattern, standard);
+  if (answer.result == HoldResult::infeasible && share.dead == 1 && !grip_) {
+    const auto [dead, reference, second] = nodes.works();
+    answer.excluded_to = -dead / reference;
+  }
+  return answer;
 }
 
 PointAnswer BlockHold::by_standard(HoldNodes& nodes, const LoadedPattern& pattern,

@@ -171,6 +171,26 @@ std::vector<double> HoldNodes::infeasible_numbers() const {
   return numbers;
 }
 
+// With w the displacements of the multipliers, w_n + mu ||w_t|| < 0 at each candidate of C.
+double HoldNodes::excluded_friction(const LoadedPattern& node) const {
+  const Eigen::Index m = all_.size();
+  const Eigen::Index d = solver_.dimension();
+  const auto& own = loaded_->problem;
+  const auto normals = Eigen::seqN(Eigen::Index{0}, m, d);
+  Eigen::VectorXd w =
+      own.compliance.matrix(Eigen::all, normals) * multipliers_.head(m) / solver_.unit();
+  const Eigen::Index modes = mean_motion_.count();
+  if (modes > 0)
+    w += own.modes.matrix * multipliers_.tail(problem_.modes.matrix.cols()).head(modes);
+  double least = std::numeric_limits<double>::infinity();
+  for (const int i : all_ - node.separated) {
+    const double slip =
+        own.friction[static_cast<std::size_t>(i)] * w.segment(d * i + 1, d - 1).norm();
+    if (slip > 0) least = std::min(least, std::max(0.0, -w[d * i] / slip));
+  }
+  return least;
+}
+
 std::array<double, 3> HoldNodes::works() const {
   const Eigen::Index m = all_.size();
   const Eigen::Index modes = mean_motion_.count();

@@ -147,6 +147,9 @@ class HoldNodes {
   /// Evidence that the last node is infeasible: multipliers of the normal displacements, the mean
   /// motion of w, and the multiplier of the sum of a restriction.
   [[nodiscard]] std::vector<double> infeasible_numbers() const;
+  /// The coefficient, for the own factors of the candidates, below which the multipliers of the last
+  /// node, which is infeasible, exclude states. @pre no bounds
+  [[nodiscard]] double excluded_friction(const LoadedPattern& node) const;
   /// Evidence of the state of the last node, which is feasible: tangential reactions of U and the
   /// mean motion of the displacements, u_n being zero on U, under the load once.
   [[nodiscard]] std::vector<double> state_numbers(const LoadedPattern& pattern) const;
