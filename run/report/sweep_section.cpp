@@ -82,8 +82,9 @@ class SweepSection {
   void friction_points() {
     const auto& points = reader_.list(result_, "points");
     if (points.empty()) return;
-    begin_table(page_, "Sign patterns at the given points",
-                {"friction coefficient", "count", "known", "undecided"});
+    begin_table(
+        page_, "Sign patterns at the given points",
+        {"friction coefficient" + of_each_candidate(reader_), "count", "known", "undecided"});
     for (const auto& point : points) {
       page_.open("tr");
       number(point, "mu");

@@ -344,7 +344,7 @@ forces = [{{ nodes = ["ladder.8,0"], force = [0, -1] }}]
         self.assertEqual([row["mu"] for row in rows], ["0.4", "0.4", "0.5", "0.5", "0.74", "0.74", "0.76", "2"])
         self.assertEqual([row["low"] == "" for row in rows], [True, False] * 3 + [True, True])
         self.assertEqual({row["standing"] for row in rows}, {"proved"})
-        self.assertRegex(result["verdict"]["sentence"], r"at 5 friction coefficients: at 0.4 up to -1.875.* at 2 all;")
+        self.assertRegex(result["verdict"]["sentence"], r"at 5 friction coefficients: at 0.4 all up to -1.875.* at 2 all;")
         self.assertEqual((self.folder / "a.svg").read_text(), (self.folder / "b.svg").read_text())
 
     def test_several_coefficients_of_a_dead_load_are_decided(self):
