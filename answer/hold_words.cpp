@@ -27,11 +27,11 @@ const char* of_others(const Found& found) {
 }
 
 std::string part(const HoldingFactors::Interval& each) {
-  const auto standing = unless_proved(each.standing);
+  const auto standing = unless_proved(each.states());
   if (std::isinf(each.low()))
-    return fmt::format("up to {}{}", support::rounded_down(each.high()), standing);
+    return fmt::format("all up to {}{}", support::rounded_down(each.high()), standing);
   if (std::isinf(each.high()))
-    return fmt::format("from {} on{}", support::rounded_up(each.low()), standing);
+    return fmt::format("all from {} on{}", support::rounded_up(each.low()), standing);
   if (each.low() == each.high()) {
     const auto shown = fmt::format("{:.6g}", each.low());
     const bool all = shown == fmt::format("{}", each.low());
@@ -53,8 +53,10 @@ std::string parts(const HoldingFactors& found) {
 // ", and none below 1 or above 2", rounded away from the factors that are held.
 std::string none_outside(const HoldingFactors& found) {
   const auto& all = found.intervals;
+  // The doubles beside zero are bounds of all numbers of one sign.
   const auto out = [](const std::optional<Bound>& bound, double held) {
-    return bound ? bound->value : held;
+    const double value = bound ? bound->value : held;
+    return std::fpclassify(value) == FP_SUBNORMAL ? 0 : value;
   };
   std::string text;
   const auto add = [&](const std::string& range) {
@@ -83,18 +85,13 @@ std::string factors_at(const HoldingFactors& found) {
     if (found.open) return reference ? "not known" : "this is not known";
     return fmt::format("{}{}", reference ? "none" : "it cannot be held", of_others(found));
   }
-  const char* const standing = unless_proved(found.intervals.front().standing);
+  const char* const standing = unless_proved(found.intervals.front().states());
   if (!reference) return fmt::format("it can be held{}", standing);
   if (found.holds_all()) return fmt::format("all{}", standing);
   return parts(found) + (found.open ? " (others are not known)" : "");
 }
 
 }  // namespace
-
-const char* interval_standing_word(Standing states, Standing beyond) {
-  return states == Standing::proved && beyond == Standing::computed ? "states proved"
-                                                                    : standing_word(states);
-}
 
 std::string none_standing_words(const std::optional<Standing>& none) {
   return none ? fmt::format("none, {}", standing_word(*none)) : "not known";
@@ -157,11 +154,11 @@ std::string headline_of(const HoldingFactors& found, engine::Status /*ended*/) {
   }
   if (!found.of_reference) {
     return fmt::format("It can hold the dead load {}{}.", where,
-                       unless_proved(found.intervals.front().standing));
+                       unless_proved(found.intervals.front().states()));
   }
   if (found.holds_all()) {
     return fmt::format("It can hold the reference load at any factor {}{}.", where,
-                       unless_proved(found.intervals.front().standing));
+                       unless_proved(found.intervals.front().states()));
   }
   const auto others =
       found.open ? std::string("; others are not known") : none_outside(found) + of_others(found);
@@ -235,45 +232,86 @@ std::string grip_sentence(const HoldingGrip& grip) {
         "There is no state under the dead load alone{}, so there is no sum of normal reactions.",
         unless_proved(grip.standing));
   }
-  const std::string undecided =
-      grip.standing == Standing::proved
-          ? ""
-          : "That there is a state under the dead load alone is computed, not proved. ";
-  const auto& minimum = grip.minimum.lower;
-  const auto& maximum = grip.maximum.upper;
-  const auto lower = fmt::format("{}{}", support::rounded_down(minimum ? minimum->value : 0),
-                                 minimum ? unless_proved(minimum->standing) : "");
+  std::string text = grip.standing == Standing::proved
+                         ? ""
+                         : "That there is a state under the dead load alone is computed, not "
+                           "proved. ";
+  text += "In every state under the dead load alone the normal reactions add up to ";
+  const auto least = grip.at_least();
+  const auto lower = support::rounded_down(least.value) + unless_proved(least.standing);
+  const auto& of_some = grip.minimum.upper;
+  const auto& most = grip.maximum.upper;
+  if (most && !grip.unbounded) {
+    text += fmt::format("between {} and {}{}", lower, support::rounded_up(most->value),
+                        unless_proved(most->standing));
+  } else {
+    text += lower + " or more";
+  }
+  if (of_some && !grip.has_least())
+    text += fmt::format(", in some to {} or less{}", support::rounded_up(of_some->value),
+                        unless_proved(of_some->standing));
   if (grip.unbounded) {
-    return fmt::format(
-        "{}In every state under the dead load alone the normal reactions add up to {} or more; "
-        "there is no upper bound, since it can be wedged with a residual stress of any size{}.",
-        undecided, lower, unless_proved(grip.unbounded_standing));
+    text += fmt::format(
+        "; there is no upper bound, since it can be wedged with a residual stress of any size{}",
+        unless_proved(grip.unbounded_standing));
+  } else if (!most) {
+    text += of_some ? "; an upper bound is not known"
+                    : "; a larger lower bound and an upper bound are not known";
+  } else if (!of_some) {
+    text += "; a larger lower bound is not known";
   }
-  if (!maximum) {
-    return fmt::format(
-        "{}In every state under the dead load alone the normal reactions add up to {} "
-        "or more; an upper bound is not known.",
-        undecided, lower);
+  return text + '.';
+}
+
+std::array<std::string, 2> grip_standing_words(const HoldingGrip& grip) {
+  if (!grip.held) {
+    const auto none = fmt::format("no state, {}", standing_word(grip.standing));
+    return {none, none};
   }
-  return fmt::format(
-      "{}In every state under the dead load alone the normal reactions add up to between {} and "
-      "{}{}.",
-      undecided, lower, support::rounded_up(maximum->value), unless_proved(maximum->standing));
+  const auto& most = grip.maximum.upper;
+  return {standing_word(grip.at_least().standing),
+          grip.unbounded ? none_standing_words(grip.unbounded_standing)
+          : most         ? standing_word(most->standing)
+                         : none_standing_words({})};
+}
+
+std::string grip_line(const HoldingGrip& grip) {
+  const std::string name = "sum of the normal reactions under the dead load alone: ";
+  if (!grip.held) return name + "no state " + in_brackets(grip.standing) + '\n';
+  const auto least = grip.at_least();
+  const auto& of_some = grip.minimum.upper;
+  const auto shown = support::in_table(least.value, of_some ? of_some->value : least.value);
+  auto text = fmt::format("{}at least {} {}", name, shown.lower, in_brackets(least.standing));
+  if (of_some && !grip.has_least())
+    text +=
+        fmt::format(", of some state at most {} {}", shown.upper, in_brackets(of_some->standing));
+  if (grip.unbounded)
+    return text + ", no upper bound " + in_brackets(grip.unbounded_standing) + '\n';
+  const auto& [held, most] = grip.maximum;
+  if (!most) return text + ", upper bound not known\n";
+  return text + fmt::format(", at most {} {}\n",
+                            support::in_table(held ? held->value : most->value, most->value).upper,
+                            in_brackets(most->standing));
 }
 
 namespace {
 
 void reserve_range(const HoldingGrip& grip, std::vector<Reservation>& all) {
-  const auto computed = [](const std::optional<Bound>& bound) {
-    return !bound || bound->standing == Standing::computed;
-  };
   if (!grip.held) {
     if (grip.standing == Standing::computed)
       all.push_back({"Computed, not proved: there is no state under the dead load.", true});
     return;
   }
-  if (computed(grip.minimum.lower) || (!grip.unbounded && computed(grip.maximum.upper)) ||
-      (grip.unbounded && grip.unbounded_standing == Standing::computed))
+  const auto is_computed = [](const std::optional<Bound>& bound) {
+    return bound && bound->standing == Standing::computed;
+  };
+  const auto& most = grip.maximum.upper;
+  if (!grip.has_least())
+    all.push_back({"The least sum of the normal reactions is not known.", true});
+  if (!grip.unbounded && !most)
+    all.push_back({"The largest sum of the normal reactions is not known.", true});
+  if (is_computed(grip.minimum.lower) ||
+      (grip.unbounded ? grip.unbounded_standing == Standing::computed : is_computed(most)))
     all.push_back({"A bound of the sum of the normal reactions is not proved.", true});
 }
 
@@ -284,7 +322,8 @@ void reserve(const HoldingSweep& found, engine::Status ended, std::vector<Reserv
     std::vector<Reservation> own;
     reserve(point, ended, own);
     for (auto& each : own) {
-      each.sentence = fmt::format("At friction coefficient {}: {}", point.friction, each.sentence);
+      each.sentence = fmt::format("At friction coefficient {}{}: {}", point.friction,
+                                  of_each_candidate(point.factor), each.sentence);
       all.push_back(std::move(each));
     }
   }
@@ -300,7 +339,7 @@ void reserve(const HoldingFactors& found, engine::Status ended, std::vector<Rese
   if (found.outside == Standing::computed)
     all.push_back({"Computed, not proved: no other factor is held.", true});
   if (std::ranges::any_of(found.intervals,
-                          [](const auto& each) { return each.standing == Standing::computed; })) {
+                          [](const auto& each) { return each.states() == Standing::computed; })) {
     all.push_back(
         {"States at the ends of intervals are computed, not proved: some inequality may hold only "
          "within the rounding of the file's numbers.",

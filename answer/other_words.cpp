@@ -135,7 +135,9 @@ std::string of_held(const CertificateCheck::Held& held) {
   const bool grip = held.grip && held.grip->says_something();
   if (held.held.empty() && held.none.empty() && !grip)
     return "NOTHING PROVED: the certificate has neither a state nor a complete tree";
-  auto text = fmt::format("PROVED: at friction coefficient {}", held.friction);
+  auto text = held.friction
+                  ? fmt::format("PROVED: at friction coefficient {}", *held.friction)
+                  : std::string("PROVED: at the friction coefficients of the certificate");
   if (!held.load_case.empty())
     text += fmt::format(" in load case {}", support::in_quotes(held.load_case));
   if (held.total) text += fmt::format(" and with normal reactions that add up to {}", *held.total);

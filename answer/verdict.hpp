@@ -155,7 +155,7 @@ struct HoldingBracket {
   }
 };
 
-/// The least and the largest sum of the normal reactions over all states under the dead load.
+/// The least and the largest sum of the normal reactions over all states under the dead load alone.
 struct HoldingGrip {
   bool held = true;
   Standing standing{};
@@ -163,6 +163,16 @@ struct HoldingGrip {
   Bracket maximum{};
   bool unbounded = false;
   Standing unbounded_standing{};
+
+  /// The proved or computed lower bound; zero if there is none, since no sum is negative.
+  [[nodiscard]] Bound at_least() const {
+    return minimum.lower.value_or(Bound{0, Standing::proved});
+  }
+  /// False if the least sum may be far above its lower bound.
+  [[nodiscard]] bool has_least() const {
+    constexpr double near = 1e-3;
+    return minimum.upper && minimum.upper->value - at_least().value <= near * minimum.upper->value;
+  }
 
   static constexpr auto fields() {
     return std::tuple{field("held", &HoldingGrip::held, "false: there is no state"),
@@ -174,14 +184,40 @@ struct HoldingGrip {
   }
 };
 
+/// What is proved of an interval of load factors that are held.
+enum class IntervalStanding {
+  computed,
+  states_proved,  ///< states at both ends, but not that none is beyond them
+  proved,         ///< states at both ends, and none beyond them up to the next interval
+};
+
+/// Names in files and tables, in the order of the enumeration.
+constexpr std::array<std::string_view, 3> names_of(IntervalStanding /*type*/) {
+  return {"computed", "states proved", "proved"};
+}
+
 /// Factors of the reference load that can be held at one coefficient: `hold --mu`.
 struct HoldingFactors {
   static constexpr const char* kind = "holding-factors";
   static constexpr const char* title = kind;
   struct Interval {
-    Standing standing{};
+    IntervalStanding standing{};
     Bracket below{};
     Bracket above{};
+
+    /// @param states standing of those at both ends  @param below, above brackets of both ends
+    static Interval from(Standing states, const Bracket& below, const Bracket& above) {
+      const bool none_beyond =
+          (!below.upper || is_proved(below.lower)) && (!above.lower || is_proved(above.upper));
+      return {!is_proved(states) ? IntervalStanding::computed
+              : none_beyond      ? IntervalStanding::proved
+                                 : IntervalStanding::states_proved,
+              below, above};
+    }
+    /// Of those at both ends.
+    [[nodiscard]] Standing states() const {
+      return support::proved_if(standing != IntervalStanding::computed);
+    }
 
     /// The ends, which are held; infinite: there is none.
     [[nodiscard]] double low() const { return below.upper ? below.at_most() : -unbounded; }
@@ -190,7 +226,9 @@ struct HoldingFactors {
 
     static constexpr auto fields() {
       return std::tuple{
-          field("standing", &Interval::standing, "of the states at the ends"),
+          field("standing", &Interval::standing,
+                "proved: there are states at both ends, and none beyond them up to the next "
+                "interval; states proved: only the former is"),
           field("below", &Interval::below,
                 "of the lower end, from a factor that is not held to one that is; both open: no "
                 "end"),
@@ -471,12 +509,12 @@ struct CertificateCheck {
   };
   /// States under load.
   struct Held {
-    double friction = 0;
-    std::string load_case{};        ///< empty: the file has none
-    bool of_reference = true;       ///< false: the file has a dead load only
-    std::optional<double> total{};  ///< sum of the normal reactions in these states
-    std::vector<Bracket> held{};    ///< each factor between the bounds has a state
-    std::vector<Bracket> none{};    ///< no factor has one
+    std::optional<double> friction{};  ///< of all candidates; absent: they differ
+    std::string load_case{};           ///< empty: the file has none
+    bool of_reference = true;          ///< false: the file has a dead load only
+    std::optional<double> total{};     ///< sum of the normal reactions in these states
+    std::vector<Bracket> held{};       ///< each factor between the bounds has a state
+    std::vector<Bracket> none{};       ///< no factor has one
     std::optional<Grip> grip{};
     std::optional<double> displacement_ratio{};  ///< as in Sticking
   };

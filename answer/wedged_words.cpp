@@ -75,6 +75,14 @@ std::string cones_text(const Sticking& found) {
 
 }  // namespace
 
+std::string cones_line(std::uint64_t cones) {
+  if (cones == 0) return "proved: there is no maximal cone, so that there is no ray\n";
+  return fmt::format(
+      "proved: the candidates in contact and separated of {}, and that there is no "
+      "other cone; the numbers of the rays are computed, not proved\n",
+      cones == 1 ? "this cone" : "these cones");
+}
+
 std::string headline_of(const Sticking& found, engine::Status ended) {
   const auto where =
       fmt::format("{} {}{}", coefficient, found.friction, of_each_candidate(found.factor));
@@ -104,8 +112,9 @@ void reserve(const Sticking& found, engine::Status ended, std::vector<Reservatio
          true});
   }
   if (found.ambiguous) {
-    all.push_back(
-        {"Some numbers cannot be distinguished from zero: the lists may be wrong.", true});
+    all.push_back({fmt::format("Some numbers cannot be distinguished from zero: {} may be wrong.",
+                               found.proved_cones ? "the list of rays" : "the lists"),
+                   true});
   }
   if (found.remainder) reserve(*found.remainder, all);
   if (found.standing == Standing::computed && found.proved_cones) {
@@ -131,6 +140,14 @@ std::string friction_sentence(const std::string& ability, const Bracket& bracket
                               double maximum, bool wide) {
   const auto& [lower, upper] = bracket;
   const char* const each = of_each_candidate(factor);
+  if (lower && lower->value == 0) {
+    const auto without =
+        fmt::format("It cannot {} without friction{}", ability, unless_proved(lower->standing));
+    if (!upper) return without + "; with friction, this is not known.";
+    return fmt::format("{}; at {} {}{} it can{}{}.", without, coefficient,
+                       support::rounded_up(upper->value), each, unless_proved(upper->standing),
+                       wide ? "; in between, this is not known" : "");
+  }
   if (!upper) {
     return fmt::format("It cannot {} up to {} {}{}{}{}.", ability, coefficient,
                        support::rounded_down(lower->value), each, unless_proved(lower->standing),
@@ -200,10 +217,12 @@ void reserve(const CriticalBracket& found, engine::Status ended, std::vector<Res
   }
 }
 
-std::string bracket_line(const CriticalBracket& found) {
-  const auto& [lower, upper] = found.bracket;
+namespace {
+
+std::string line_of(const std::string& name, const Bracket& bracket) {
+  const auto& [lower, upper] = bracket;
   const auto standing = [](const Bound& bound) { return in_brackets(bound.standing); };
-  const auto name = fmt::format("critical {}{}", coefficient, of_each_candidate(found.factor));
+  if (upper && upper->value == 0) return fmt::format("{}: 0 {}\n", name, standing(*upper));
   if (lower && upper) {
     const auto shown = support::in_table(lower->value, upper->value);
     if (lower->standing == upper->standing) {
@@ -224,6 +243,18 @@ std::string bracket_line(const CriticalBracket& found) {
                        standing(*upper));
   }
   return fmt::format("{}: open\n", name);
+}
+
+}  // namespace
+
+std::string bracket_line(const CriticalBracket& found) {
+  return line_of(fmt::format("critical {}{}", coefficient, of_each_candidate(found.factor)),
+                 found.bracket);
+}
+
+std::string bracket_line(const HoldingBracket& found) {
+  return line_of(fmt::format("holding {}{}", coefficient, of_each_candidate(found.factor)),
+                 found.bracket);
 }
 
 namespace {

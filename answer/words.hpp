@@ -2,6 +2,9 @@
 // reports. A bound that is computed and not proved is marked as such wherever it is named.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,16 +19,24 @@ std::string headline(const Verdict& verdict);
 /// False also if it cannot.
 bool is_known_to_stick(const Sticking& found);
 
+/// What is true of all configurations of a pattern without a margin (t* = 0).
+inline constexpr const char* of_flat_pattern =
+    "some candidates are inactive, or some in contact slip";
+
 /// What a list at one friction coefficient does not say. @param of_patterns also of each pattern
 std::string next_step(bool of_patterns);
 
 /// "proved" or "computed": for cells of tables, and in result files.
 const char* standing_word(Standing standing);
-/// Of an interval of load factors that are held: "states proved" if it is not proved that no other
-/// factor is held up to the next interval.
-const char* interval_standing_word(Standing states, Standing beyond);
 /// Of the answer that no factor is held: "none, proved"; absent: "not known".
 std::string none_standing_words(const std::optional<Standing>& none);
+
+/// Standings of the lower and the upper bound of the sum of the normal reactions, for cells:
+/// "proved"; "none, proved" without an upper bound; "no state, proved"; "not known".
+std::array<std::string, 2> grip_standing_words(const HoldingGrip& grip);
+
+/// The range of that sum as a line of a table, in which each bound has its standing.
+std::string grip_line(const HoldingGrip& grip);
 
 /// Suffix of a clause: empty if proved, otherwise " (computed, not proved)".
 const char* unless_proved(Standing standing);
@@ -68,7 +79,12 @@ inline constexpr const char* not_all_is_proved = "not all bounds are proved";
 inline constexpr const char* ended_before_the_proof =
     "the search stopped before both bounds were proved";
 
-/// A critical friction coefficient for a table: both bounds and their standing.
+/// What is proved if exact arithmetic has found the same maximal cones as the search for rays, for a
+/// table.
+std::string cones_line(std::uint64_t cones);
+
+/// A friction coefficient for a table: both bounds and their standing.
 std::string bracket_line(const CriticalBracket& found);
+std::string bracket_line(const HoldingBracket& found);
 
 }  // namespace kusabi::answer

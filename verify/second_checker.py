@@ -818,7 +818,8 @@ class Contact(Certificate):
             can, cannot = (", ".join(map(range_text, each)) for each in (held, none))
             parts += [f"it can hold these factors of the reference load: {can}"] * bool(held)
             parts += [f"it cannot hold: {cannot}"] * bool(none)
-        text = f"PROVED: at friction coefficient {shortest(max(self.mu))}"
+        text = (f"PROVED: at friction coefficient {shortest(max(self.mu))}" if min(self.mu) == max(self.mu) else
+                "PROVED: at the friction coefficients of the certificate")
         text += f" in load case {in_quotes(self.case)}" if self.case else ""
         text += f" and with normal reactions that add up to {shortest(self.total)}" if self.total else ""
         return f"{text}, {'; '.join(parts + [grip] * bool(grip))}{'; all' + FAR if far else ''}", 0

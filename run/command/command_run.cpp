@@ -108,11 +108,15 @@ answer::Verdict CommandRun::verdict() const {
   return reached;
 }
 
-// Prints open reservations on standard error, unless a terminal shows both streams: the table has
-// them there.
-void CommandRun::print_open_reservations(const answer::Verdict& verdict) const {
+// True if a terminal shows the table and standard error.
+bool CommandRun::shows_both_streams() const {
   const auto is_terminal = [](const Page& page) { return page.width != Page::endless; };
-  if (!quiet_ && is_terminal(page()) && is_terminal(page_of(STDERR_FILENO))) return;
+  return !quiet_ && is_terminal(page()) && is_terminal(page_of(STDERR_FILENO));
+}
+
+// Prints open reservations on standard error, unless the table shows them beside it.
+void CommandRun::print_open_reservations(const answer::Verdict& verdict) const {
+  if (shows_both_streams()) return;
   for (const auto& [sentence, open] : answer::reservations(verdict)) {
     if (open) print_warning(sentence);
   }
@@ -321,7 +325,10 @@ Step CommandRun::result_lines(std::function<bool(std::ostream&)> write,
 
 Step CommandRun::answer(std::function<std::string()> make) {
   return [this, make = std::move(make)] {
-    if (!quiet_) print_answer(folded(make() + conclusion_text(verdict(), page()), page().width));
+    if (quiet_) return;
+    auto reached = verdict();
+    if (shows_both_streams()) reached.warnings.clear();  // they are above the table
+    print_answer(folded(make() + conclusion_text(reached, page()), page().width));
   };
 }
 

@@ -144,6 +144,7 @@ class CommandRun {
   [[nodiscard]] nlohmann::ordered_json defaults_json() const;
   [[nodiscard]] answer::Verdict verdict() const;
   [[nodiscard]] nlohmann::ordered_json last_members() const;
+  [[nodiscard]] bool shows_both_streams() const;
   void print_open_reservations(const answer::Verdict& verdict) const;
   [[nodiscard]] std::string how_to_go_on(engine::Status why) const;
 

@@ -230,7 +230,7 @@ void Critical::draw(OutputFolder& folder, const WholeStates& states) const {
     series.add(
         numbered_vtu("pattern", i + 1, count),
         grids.grid({fmt::format("configuration that becomes feasible at friction coefficient {}",
-                                entry.upper.value_or(entry.lower)),
+                                friction_text(contact_.problem, entry.upper.value_or(entry.lower))),
                     entry.upper.value_or(entry.lower)},
                    entry.block, entry.pattern, {}, entry.reaction, entry.displacement));
   }

@@ -24,49 +24,55 @@ ordered_json points_json(const Points& points) {
   return list;
 }
 
-// With several coefficients the first column is theirs, and one without intervals has a row.
-void write_intervals(CsvWriter& csv, const wedged::LoadedProblem& loaded,
-                     const std::vector<HeldPoint>& points, bool several) {
+// Bounds of the sum of the normal reactions, each with its standing.
+void add_grip(CsvWriter& csv, const std::optional<answer::HoldingGrip>& grip) {
+  if (!grip) {
+    csv.nothing().nothing().nothing().nothing();
+    return;
+  }
+  const auto [least, most] = answer::grip_standing_words(*grip);
+  csv.number(grip->held ? std::optional(grip->at_least().value) : std::nullopt).text(least);
+  const auto& upper = grip->maximum.upper;
+  csv.number(upper ? std::optional(upper->value) : std::nullopt).text(most);
+}
+
+// With several coefficients the first column is theirs, and one without intervals has a row; so has
+// a grip range, whose columns are last.
+void write_intervals(CsvWriter& csv, const HoldOptions& options,
+                     const wedged::LoadedProblem& loaded, const std::vector<HeldPoint>& points) {
+  const bool several = options.points.size() > 1;
   if (several) csv.word("mu");
-  csv.word("interval").word("low").word("high").word("standing").word("contact").end_row();
+  csv.word("interval").word("low").word("high").word("standing").word("contact");
+  if (options.grip) {
+    for (const char* const bound : {"at_least", "at_most"})
+      csv.word(fmt::format("sum_{}", bound)).word(fmt::format("sum_{}_standing", bound));
+  }
+  csv.end_row();
   for (const auto& point : points) {
-    std::size_t number = 0;
-    for (const auto& each : point.factors.intervals) {
+    const auto answer = factors_of(options, loaded, point);
+    const auto end_row = [&] {
+      if (options.grip) add_grip(csv, answer.grip);
+      csv.end_row();
+    };
+    for (std::size_t i = 0; i < answer.intervals.size(); ++i) {
+      const auto& each = point.factors.intervals[i];
       if (several) csv.number(point.mu);
-      csv.count(++number).number(each.low).number(each.high);
-      csv.word(standing_of(each));
+      csv.count(i + 1).number(each.low).number(each.high);
+      csv.word(answer::name_of(answer.intervals[i].standing));
       if (each.pattern)
-        csv.text(contact_of(loaded, each.block, each.pattern)).end_row();
+        csv.text(contact_of(loaded, each.block, each.pattern));
       else
-        csv.nothing().end_row();
+        csv.nothing();
+      end_row();
     }
-    if (several && number == 0)
-      csv.number(point.mu)
-          .nothing()
-          .nothing()
-          .nothing()
-          .text(standing_of_none(point))
-          .nothing()
-          .end_row();
+    if (!answer.intervals.empty() || (!several && !options.grip)) continue;
+    if (several) csv.number(point.mu);
+    csv.nothing().nothing().nothing().text(answer::none_standing_words(answer.outside)).nothing();
+    end_row();
   }
 }
 
 }  // namespace
-
-const char* standing_of(const wedged::HeldInterval& interval) {
-  const auto beyond = [](double held, const support::Bound& out) {
-    if (std::isinf(held)) return support::Standing::proved;
-    return std::isfinite(out.value) ? out.standing : support::Standing::computed;
-  };
-  return answer::interval_standing_word(
-      interval.standing,
-      both(beyond(interval.low, interval.low_out), beyond(interval.high, interval.high_out)));
-}
-
-std::string standing_of_none(const HeldPoint& point) {
-  const auto& [unresolved, outside] = std::tie(point.factors.unresolved, point.factors.outside);
-  return answer::none_standing_words(unresolved ? std::nullopt : std::optional(outside));
-}
 
 ordered_json diagram_pieces(const wedged::LoadedProblem& loaded, const wedged::Diagram& diagram) {
   auto pieces = ordered_json::array();
@@ -96,8 +102,7 @@ std::string diagram_table(const wedged::LoadedProblem& loaded, const wedged::Dia
 void write_held_csv(std::ostream& out, const HoldOptions& options,
                     const wedged::LoadedProblem& loaded, const HoldFindings& findings) {
   CsvWriter csv(out);
-  if (!findings.diagram)
-    return write_intervals(csv, loaded, findings.points, options.points.size() > 1);
+  if (!findings.diagram) return write_intervals(csv, options, loaded, findings.points);
   csv.word("piece").word("what").word("first").word("second").word("contact").end_row();
   std::size_t number = 0;
   for (const auto& piece : findings.diagram->pieces) {

@@ -322,11 +322,13 @@ void Hold::prepare(CommandRun& run) {
 
 std::string Hold::announcement(const std::string& ranks) const {
   const auto& points = options_.points;
-  const auto at = points.empty()       ? fmt::format("up to a friction coefficient of {}",
-                                                     options_.parameters.maximum)
-                  : points.size() == 1 ? fmt::format("at friction coefficient {}", points.front())
-                                       : fmt::format("at {} friction coefficients from {} to {}",
-                                                     points.size(), points.front(), points.back());
+  const auto text = [&](double mu) { return friction_text(loaded_.problem, mu); };
+  const auto at =
+      points.empty()
+          ? fmt::format("up to a friction coefficient of {}", text(options_.parameters.maximum))
+      : points.size() == 1 ? fmt::format("at friction coefficient {}", text(points.front()))
+                           : fmt::format("at {} friction coefficients from {} to {}", points.size(),
+                                         points.front(), text(points.back()));
   return fmt::format("{}; {}; {}", problem_line(loaded_.problem), at, ranks);
 }
 

@@ -87,11 +87,12 @@ std::string contact_of(const wedged::LoadedProblem& loaded, const wedged::Loaded
 nlohmann::ordered_json pattern_names(const wedged::LoadedProblem& loaded,
                                      const wedged::LoadedPattern& pattern);
 
-/// Standing of an interval: `proved`; `states proved`, but not that none is held beyond its ends;
-/// `computed`.
-const char* standing_of(const wedged::HeldInterval& interval);
-/// Of the answer that no factor is held: "none, proved"; "not known".
-std::string standing_of_none(const HeldPoint& point);
+/// The answer without --mu.
+answer::HoldingBracket bracket_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                                  const wedged::HoldingFriction& found);
+/// The answer at one coefficient, with its grip range if that is complete.
+answer::HoldingFactors factors_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                                  const HeldPoint& point);
 
 /// Bracket or intervals, and the costs of the searches.
 std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& loaded,

@@ -1,5 +1,7 @@
 // Table and JSON of `kusabi hold`.
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <iterator>
 #include <tuple>
 
@@ -43,24 +45,6 @@ ordered_json names_in_block(const wedged::LoadedProblem& loaded, std::uint32_t b
   if (!pattern) return nullptr;
   const auto own = problems::blocks_of(loaded.problem)[block];
   return pattern_names(loaded, wedged::in_whole(*pattern, own));
-}
-
-std::string grip_table(const wedged::GripRange& found) {
-  if (!found.held || found.status != engine::Status::solved) return {};
-  const auto minimum = support::in_table(found.minimum.out.value, found.minimum.held.value);
-  if (!found.maximum.unbounded && !found.maximum.known) return {};
-  if (found.maximum.unbounded)
-    return fmt::format("sum of the normal reactions: {} or more, no upper bound\n", minimum.lower);
-  const auto maximum = support::in_table(found.maximum.held.value, found.maximum.out.value);
-  return fmt::format("sum of the normal reactions: {} to {}\n", minimum.lower, maximum.upper);
-}
-
-std::string coefficient_text(const support::Bracket& bracket) {
-  const double upper = bracket.at_most();
-  if (upper == 0) return "0";
-  if (!bracket.lower) return "at most " + support::rounded_up(upper, support::digits_of_table);
-  const auto shown = support::in_table(bracket.at_least(), upper);
-  return fmt::format("between {} and {}", shown.lower, shown.upper);
 }
 
 // The ends of an interval, rounded to its inside with the digits of their brackets.
@@ -156,49 +140,65 @@ ordered_json hold_json(const HoldOptions& options, const wedged::LoadedProblem& 
 
 namespace {
 
-std::string interval_row(const wedged::LoadedProblem& loaded, const std::string& first,
-                         const wedged::HeldInterval& each) {
-  const auto shown = ends_text(each);
-  return fmt::format("{}  {:>18}  {:>18}  {:<15}  {}\n", first, shown.low, shown.high,
-                     standing_of(each), contact_of(loaded, each.block, each.pattern));
-}
-
 std::string interval_head(const std::string& first) {
   return fmt::format("\n{}  {:>18}  {:>18}  {:<15}  {}\n", first, "held from", "held to",
                      "standing", "in contact at an end");
 }
 
-std::string point_table(const wedged::LoadedProblem& loaded, const HeldPoint& point) {
-  auto text = interval_head(fmt::format("{:>5}", ""));
-  std::size_t number = 0;
-  for (const auto& each : point.factors.intervals)
-    text += interval_row(loaded, fmt::format("{:>5}", ++number), each);
+// One row for each interval. @param first cell of a row, by its number
+std::string interval_rows(const wedged::LoadedProblem& loaded, const HeldPoint& point,
+                          const answer::HoldingFactors& answer,
+                          const std::function<std::string(std::size_t)>& first) {
+  std::string text;
+  for (std::size_t i = 0; i < answer.intervals.size(); ++i) {
+    const auto& each = point.factors.intervals[i];
+    const auto shown = ends_text(each);
+    fmt::format_to(std::back_inserter(text), "{}  {:>18}  {:>18}  {:<15}  {}\n", first(i + 1),
+                   shown.low, shown.high, answer::name_of(answer.intervals[i].standing),
+                   contact_of(loaded, each.block, each.pattern));
+  }
+  return text;
+}
+
+std::string point_table(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                        const HeldPoint& point) {
+  const auto answer = factors_of(options, loaded, point);
+  auto text = interval_head(fmt::format("{:>5}", "")) +
+              interval_rows(loaded, point, answer,
+                            [](std::size_t number) { return fmt::format("{:>5}", number); });
   for (const auto& each : point.factors.intervals) {
     if (!each.state) continue;
     text += reactions_text(loaded, each.block, each.pattern, each.state,
                            under_factor(each.state->factor, each.low, each.high));
   }
-  text += fmt::format("(factors of the reference load at friction coefficient {})\n", point.mu);
-  if (point.grip) text += grip_table(*point.grip);
+  text += fmt::format("(factors of the reference load at friction coefficient {})\n",
+                      friction_text(loaded.problem, point.mu));
+  if (answer.grip) text += answer::grip_line(*answer.grip);
   return text;
 }
 
 // One row for each interval, and one for a coefficient without any.
-std::string points_table(const wedged::LoadedProblem& loaded,
+std::string points_table(const HoldOptions& options, const wedged::LoadedProblem& loaded,
                          const std::vector<HeldPoint>& points) {
   auto text = interval_head(fmt::format("{:>8}", "mu"));
+  std::string grips;
   for (const auto& point : points) {
     const auto mu = fmt::format("{:>8}", point.mu);
-    for (const auto& each : point.factors.intervals) text += interval_row(loaded, mu, each);
-    if (point.factors.intervals.empty())
-      text += fmt::format("{}  {:>18}  {:>18}  {}\n", mu, "-", "-", standing_of_none(point));
+    const auto answer = factors_of(options, loaded, point);
+    text += interval_rows(loaded, point, answer, [&](std::size_t /*number*/) { return mu; });
+    if (answer.intervals.empty())
+      text += fmt::format("{}  {:>18}  {:>18}  {}\n", mu, "-", "-",
+                          answer::none_standing_words(answer.outside));
+    if (answer.grip)
+      grips += fmt::format("at {}: {}", friction_text(loaded.problem, point.mu),
+                           answer::grip_line(*answer.grip));
   }
-  text += "(factors of the reference load at friction coefficients mu)\n";
-  for (const auto& point : points) {
-    const auto grip = point.grip ? grip_table(*point.grip) : std::string();
-    if (!grip.empty()) text += fmt::format("at {}: {}", point.mu, grip);
-  }
-  return text;
+  return text +
+         fmt::format("(factors of the reference load at friction coefficients {})\n",
+                     problems::uniform_friction(loaded.problem)
+                         ? "mu"
+                         : fmt::format("mu{}", answer::of_each_candidate(true))) +
+         grips;
 }
 
 }  // namespace
@@ -209,19 +209,20 @@ std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& 
   const auto out = std::back_inserter(text);
   if (findings.friction) {
     const auto& found = *findings.friction;
+    const auto answer = bracket_of(options, loaded, found);
+    if (found.bracket.upper || answer.reason == answer::HoldReason::searched)
+      text += '\n' + answer::bracket_line(answer);
     if (found.bracket.upper) {
-      fmt::format_to(out, "\nholding friction coefficient: {}\nin contact: {}\n",
-                     coefficient_text(found.bracket),
-                     contact_of(loaded, found.block, found.pattern));
+      fmt::format_to(out, "in contact: {}\n", contact_of(loaded, found.block, found.pattern));
       text +=
           reactions_text(loaded, found.block, found.pattern, found.state, under_factor(0, 0, 0));
     }
   } else if (findings.diagram) {
     text += diagram_table(loaded, *findings.diagram);
   } else if (options.points.size() > 1) {
-    text += points_table(loaded, findings.points);
+    text += points_table(options, loaded, findings.points);
   } else {
-    text += point_table(loaded, findings.points.front());
+    text += point_table(options, loaded, findings.points.front());
   }
   std::uint64_t opened = 0;
   for (const auto& cost : findings.costs()) opened += cost.opened;

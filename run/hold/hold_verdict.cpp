@@ -26,17 +26,6 @@ support::Bracket end_of(double held, const support::Bound& out, support::Standin
   return upward ? support::Bracket{end, outside} : support::Bracket{outside, end};
 }
 
-answer::HoldingBracket bracket_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                                  const wedged::HoldingFriction& found) {
-  answer::HoldingBracket answer{.bracket = found.bracket,
-                                .factor = !problems::uniform_friction(loaded.problem),
-                                .maximum = found.maximum};
-  answer.load_case = options.load_case;
-  if (found.any_by_supports) answer.reason = answer::HoldReason::supports;
-  if (found.not_in_equilibrium) answer.reason = answer::HoldReason::unbalanced;
-  return answer;
-}
-
 // A state at the upper bound, where there may be others; in a closed bracket also its slipping
 // candidates. Empty if it needs no friction.
 std::string one_state(const wedged::LoadedProblem& loaded, const wedged::HoldingFriction& found) {
@@ -50,27 +39,6 @@ std::string one_state(const wedged::LoadedProblem& loaded, const wedged::Holding
   if (found.status == engine::Status::solved && found.bracket.lower)
     text += "; with less friction " + slip_words(problem, found.block, contact, need);
   return text + '.' + angle_sentence(problem, found.bracket.at_most());
-}
-
-answer::HoldingFactors factors_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                                  const HeldPoint& point) {
-  const auto& found = point.factors;
-  answer::HoldingFactors answer{.friction = point.mu,
-                                .factor = !problems::uniform_friction(loaded.problem),
-                                .of_reference = loaded.has_reference,
-                                .intervals = {},
-                                .open = found.unresolved || found.status != engine::Status::solved};
-  answer.load_case = options.load_case;
-  answer.total = options.parameters.total;
-  if (found.any_by_supports) answer.reason = answer::HoldReason::supports;
-  if (found.any_by_wedging) answer.reason = answer::HoldReason::wedging;
-  if (found.not_in_equilibrium) answer.reason = answer::HoldReason::unbalanced;
-  for (const auto& each : found.intervals) {
-    answer.intervals.push_back({each.standing, end_of(each.low, each.low_out, each.standing, false),
-                                end_of(each.high, each.high_out, each.standing, true)});
-  }
-  if (!answer.open && !answer.holds_all()) answer.outside = found.outside;
-  return answer;
 }
 
 answer::HoldingDiagram diagram_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
@@ -95,20 +63,12 @@ answer::HoldingGrip grip_of(const wedged::GripRange& found) {
                            .standing = found.standing,
                            .unbounded = found.maximum.unbounded,
                            .unbounded_standing = found.maximum.held.standing};
-  if (found.status != engine::Status::solved || !found.held) return grip;
+  if (!found.held) return grip;
   const auto& [minimum, maximum] = std::tie(found.minimum, found.maximum);
-  grip.minimum = {minimum.out, minimum.held};
+  grip.minimum.lower = minimum.out;
+  if (minimum.known) grip.minimum.upper = minimum.held;
   if (!maximum.unbounded && maximum.known) grip.maximum = {maximum.held, maximum.out};
   return grip;
-}
-
-// The answer at one coefficient, with its grip range if that is complete.
-answer::HoldingFactors point_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                                const HeldPoint& point) {
-  auto answer = factors_of(options, loaded, point);
-  if (point.grip && point.grip->status == engine::Status::solved)
-    answer.grip = grip_of(*point.grip);
-  return answer;
 }
 
 // A sentence for each certificate that was not written. The least coefficient, zero, has none
@@ -131,6 +91,41 @@ std::vector<std::string> missing_certificates(const HoldFindings& findings) {
 
 }  // namespace
 
+answer::HoldingBracket bracket_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                                  const wedged::HoldingFriction& found) {
+  answer::HoldingBracket answer{.bracket = found.bracket,
+                                .factor = !problems::uniform_friction(loaded.problem),
+                                .maximum = found.maximum};
+  answer.load_case = options.load_case;
+  if (found.any_by_supports) answer.reason = answer::HoldReason::supports;
+  if (found.not_in_equilibrium) answer.reason = answer::HoldReason::unbalanced;
+  return answer;
+}
+
+answer::HoldingFactors factors_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                                  const HeldPoint& point) {
+  const auto& found = point.factors;
+  answer::HoldingFactors answer{.friction = point.mu,
+                                .factor = !problems::uniform_friction(loaded.problem),
+                                .of_reference = loaded.has_reference,
+                                .intervals = {},
+                                .open = found.unresolved || found.status != engine::Status::solved};
+  answer.load_case = options.load_case;
+  answer.total = options.parameters.total;
+  if (found.any_by_supports) answer.reason = answer::HoldReason::supports;
+  if (found.any_by_wedging) answer.reason = answer::HoldReason::wedging;
+  if (found.not_in_equilibrium) answer.reason = answer::HoldReason::unbalanced;
+  for (const auto& each : found.intervals) {
+    answer.intervals.push_back(answer::HoldingFactors::Interval::from(
+        each.standing, end_of(each.low, each.low_out, each.standing, false),
+        end_of(each.high, each.high_out, each.standing, true)));
+  }
+  if (!answer.open && !answer.holds_all()) answer.outside = found.outside;
+  if (point.grip && point.grip->status == engine::Status::solved)
+    answer.grip = grip_of(*point.grip);
+  return answer;
+}
+
 answer::Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedProblem& loaded,
                              const HoldFindings& findings) {
   answer::Verdict verdict{.ended = findings.status()};
@@ -145,11 +140,11 @@ answer::Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedPro
   } else if (options.points.size() > 1) {
     answer::HoldingSweep sweep{.requested = options.points.size()};
     for (const auto& point : findings.points)
-      sweep.points.push_back(point_of(options, loaded, point));
+      sweep.points.push_back(factors_of(options, loaded, point));
     verdict.answer = std::move(sweep);
     any = !findings.points.empty() && findings.points.front().factors.any_by_supports;
   } else if (!findings.points.empty()) {
-    auto factors = point_of(options, loaded, findings.points.front());
+    auto factors = factors_of(options, loaded, findings.points.front());
     if (factors.grip)
       verdict.details.push_back(answer::grip_sentence(*factors.grip));
     else if (options.grip)

@@ -391,12 +391,12 @@ void Patterns::draw(OutputFolder& folder, const WholeStates& states) const {
   VtuSeries series(folder);
   for (std::size_t i = 0; i < count; ++i) {
     const auto& leaf = leaves[i];
-    series.add(
-        numbered_vtu("pattern", i + 1, count),
-        grids.grid({fmt::format("pattern {} at friction coefficient {}", i + 1, options_.friction),
-                    options_.friction, leaf.lower},
-                   leaf.block, leaf.pattern, findings_->inactive(), leaf.reaction,
-                   leaf.displacement));
+    series.add(numbered_vtu("pattern", i + 1, count),
+               grids.grid({fmt::format("pattern {} at friction coefficient {}", i + 1,
+                                       friction_text(contact_.problem, options_.friction)),
+                           options_.friction, leaf.lower},
+                          leaf.block, leaf.pattern, findings_->inactive(), leaf.reaction,
+                          leaf.displacement));
   }
   series.finish("patterns.pvd", problem_line(contact_.problem));
 }

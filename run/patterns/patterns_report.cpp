@@ -231,10 +231,8 @@ std::string PatternsReport::details() const {
                  patterns(count), known(count == 1U), friction_text(problem_, options_.friction),
                  findings_.marginal, options_.parameters.tree.tolerances.sign);
   if (findings_.flat != 0) {
-    fmt::format_to(out,
-                   "{} of the list flat (t* = 0): in all their configurations some candidates are "
-                   "inactive, or some in contact slip\n",
-                   findings_.flat);
+    fmt::format_to(out, "{} of the list flat (t* = 0): in all their configurations {}\n",
+                   findings_.flat, answer::of_flat_pattern);
   }
   if (findings_.blocks.size() > 1) {
     fmt::format_to(out,

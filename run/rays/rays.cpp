@@ -257,21 +257,18 @@ std::string RaysReport::summary() const {
   }
   // The cones follow from all rays.
   const bool whole = found_.status == engine::Status::solved;
-  fmt::format_to(
-      out, "\n{}{}{} at friction coefficient {}, by {}\n",
-      answer::counted(found_.count(), "extremal ray"),
-      problem_.modes.bodies.empty()
-          ? ""
-          : fmt::format(" and {} without reactions",
-                        answer::counted(found_.motions.size(), "extremal motion")),
-      whole ? " in " + answer::counted(found_.cones.size(), "maximal cone") +
-                  (exact_.cones
-                       ? fmt::format(" ({})", answer::standing_word(support::Standing::proved))
-                       : "")
-            : std::string(found_.count() == 1 ? " is known" : " are known"),
-      friction_text(problem_, options_.friction),
-      found_.method == wedged::RayMethod::tree ? "the tree of sign patterns"
-                                               : "double description");
+  fmt::format_to(out, "\n{}{}{} at friction coefficient {}, by {}\n",
+                 answer::counted(found_.count(), "extremal ray"),
+                 problem_.modes.bodies.empty()
+                     ? ""
+                     : fmt::format(" and {} without reactions",
+                                   answer::counted(found_.motions.size(), "extremal motion")),
+                 whole ? " in " + answer::counted(found_.cones.size(), "maximal cone")
+                       : std::string(found_.count() == 1 ? " is known" : " are known"),
+                 friction_text(problem_, options_.friction),
+                 found_.method == wedged::RayMethod::tree ? "the tree of sign patterns"
+                                                          : "double description");
+  if (exact_.cones) text += answer::cones_line(*exact_.cones);
   if (found_.count() == 0) return text;
   fmt::format_to(out,
                  "relative displacements up to {:.1e} are regarded as zero; the smallest other is "
@@ -577,12 +574,12 @@ void Rays::draw_all(OutputFolder& folder, const WholeStates& states) const {
   auto health = found_.health;  // complete after the rays are written
   for (std::size_t i = 0; i < count; ++i) {
     const auto ray = cone_->ray(found_.rays[i], health);
-    series.add(
-        numbered_vtu("ray", i + 1, count),
-        grids.grid({fmt::format("ray {} at friction coefficient {}", i + 1, options_.friction),
-                    options_.friction},
-                   numbers(ray.reaction), numbers(ray.displacement),
-                   contact_states_of({found_.rays[i], cone_->all()}, cone_->candidates())));
+    series.add(numbered_vtu("ray", i + 1, count),
+               grids.grid({fmt::format("ray {} at friction coefficient {}", i + 1,
+                                       friction_text(contact_.problem, options_.friction)),
+                           options_.friction},
+                          numbers(ray.reaction), numbers(ray.displacement),
+                          contact_states_of({found_.rays[i], cone_->all()}, cone_->candidates())));
   }
   series.finish("rays.pvd", problem_line(contact_.problem));
 }
@@ -642,9 +639,9 @@ double Rays::seconds_to_write(std::uint64_t solutions) const {
 std::vector<std::string> Rays::remarks(CommandRun& run) {
   if (!found_.health.sound()) {
     return {fmt::format(
-        "kusabi: {} numbers cannot be distinguished from zero: the lists may be wrong; expected a "
-        "structure with less cancellation, fewer candidates, or another friction coefficient",
-        found_.health.undecided)};
+        "kusabi: {} undecided; expected a structure with less cancellation, fewer candidates, or "
+        "another friction coefficient",
+        answer::counted(found_.health.undecided, "number"))};
   }
   std::vector<std::string> remarks;
   const auto drawn = series_remark(found_.rays.size(), "rays");

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <string_view>
 
+#include "answer/words.hpp"
 #include "run/output/rounded_within.hpp"
 #include "run/report/facts.hpp"
 
@@ -29,7 +30,7 @@ void read_states(const ResultReader& reader, const ResultJson& ray, Answer& answ
 
 std::string in_words(const std::string& state) {
   if (state == "feasible") return {};
-  if (state == "flat") return "some candidates are inactive";
+  if (state == "flat") return answer::of_flat_pattern;
   if (state == "marginal" || state == "undecided") return "numerically undecided";
   return state;
 }

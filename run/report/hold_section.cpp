@@ -1,5 +1,11 @@
-// A row for each interval, and for each friction coefficient without any.
+// A row for each interval, and for each friction coefficient without any; for each grip range; for
+// each piece of a diagram.
 #include "run/report/hold_section.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
 
 #include "answer/words.hpp"
 #include "pictures/svg/chart.hpp"
@@ -28,18 +34,23 @@ support::Standing standing_in(const std::string& word) {
   return support::proved_if(word == answer::standing_word(support::Standing::proved));
 }
 
-// As in the table of the command.
-const char* standing_of_interval(const ResultReader& reader, const ResultJson& interval) {
-  const auto& below = reader.at(interval, "below");
-  const auto& above = reader.at(interval, "above");
-  const auto beyond = [&](const ResultJson& bracket, const char* held, const char* out) {
-    return ResultReader::find(bracket, held) == nullptr
-               ? support::Standing::proved
-               : standing_in(standing_of(reader, &bracket, out));
+answer::HoldingGrip grip_in(const ResultReader& reader, const ResultJson& grip) {
+  const auto standing = [&](const char* key) { return standing_in(reader.text(grip, key)); };
+  const auto bracket = [&](const char* key) {
+    const auto& own = reader.at(grip, key);
+    const auto bound = [&](const char* end) -> std::optional<support::Bound> {
+      const auto value = reader.bound(own, end);
+      if (!value) return {};
+      return support::Bound{*value, standing_in(standing_of(reader, &own, end))};
+    };
+    return support::Bracket{bound("lower"), bound("upper")};
   };
-  return answer::interval_standing_word(
-      standing_in(reader.text(interval, "standing")),
-      both(beyond(below, "upper", "lower"), beyond(above, "lower", "upper")));
+  return {.held = reader.at(grip, "held") == true,
+          .standing = standing("standing"),
+          .minimum = bracket("minimum"),
+          .maximum = bracket("maximum"),
+          .unbounded = reader.at(grip, "unbounded") == true,
+          .unbounded_standing = standing("unbounded_standing")};
 }
 
 std::string standing_of_none(const ResultReader& reader, const ResultJson& point) {
@@ -47,37 +58,94 @@ std::string standing_of_none(const ResultReader& reader, const ResultJson& point
   return answer::none_standing_words(standing_in(reader.text(point, "outside")));
 }
 
+// Rows of a table begin with the friction coefficient.
+void begin_row(Markup& page, const ResultReader& reader, const ResultJson& point) {
+  page.open("tr").open("td");
+  add_number(page, &reader.at(point, "friction"), many_digits);
+  page.close();
+}
+
 void add_intervals(Markup& page, const ResultReader& reader, const ResultJson& points) {
   if (points.empty()) {
     page.element("p", "No coefficient was answered before the early end.");
     return;
   }
-  begin_table(page, "Factors of the reference load that can be held",
-              {"friction coefficient", "from", "to", "standing", "in contact at an end"});
+  const bool reference = reader.at(points.front(), "of_reference") == true;
+  begin_table(page,
+              reference ? "Factors of the reference load that can be held"
+                        : "Friction coefficients at which the dead load can be held",
+              {"friction coefficient" + of_each_candidate(reader), "from", "to", "standing",
+               "in contact at an end"});
   for (const auto& point : points) {
-    const auto& mu = reader.at(point, "friction");
-    const auto begin_row = [&] {
-      page.open("tr").open("td");
-      add_number(page, &mu, many_digits);
-      page.close();
-    };
     const auto& intervals = reader.list(point, "intervals");
     for (const auto& each : intervals) {
-      begin_row();
+      begin_row(page, reader, point);
       const auto [low, high] = held_ends(reader, each);
       const auto [from, to] = held_range(reader, each);
       const auto shown = shown_ends(from, to, many_digits);
       add_end(page, low, shown.low);
       add_end(page, high, shown.high);
-      page.element("td", standing_of_interval(reader, each));
+      page.element("td", reader.text(each, "standing"));
       const auto* const pattern = ResultReader::find(each, "pattern");
       page.element("td", pattern == nullptr ? "–" : joined(reader.names(*pattern, "contact")));
       page.close();
     }
     if (!intervals.empty()) continue;
-    begin_row();
+    begin_row(page, reader, point);
     page.element("td", "–").element("td", "–").element("td", standing_of_none(reader, point));
     page.element("td", "–").close();
+  }
+  end_table(page);
+}
+
+// Nothing if they were not requested.
+void add_grips(Markup& page, const ResultReader& reader, const ResultJson& points) {
+  const auto grip_of = [](const ResultJson& point) { return ResultReader::find(point, "grip"); };
+  if (std::ranges::none_of(points, grip_of)) return;
+  begin_table(page, "Sum of the normal reactions under the dead load alone",
+              {"friction coefficient" + of_each_candidate(reader), "at least", "standing",
+               "at most", "standing"});
+  for (const auto& point : points) {
+    const auto* const grip = grip_of(point);
+    if (grip == nullptr) continue;
+    begin_row(page, reader, point);
+    const auto [least, most] = answer::grip_standing_words(grip_in(reader, *grip));
+    const auto add = [&](const char* bracket, const char* end, const std::string& standing) {
+      page.open("td");
+      add_bound(page, reader, &reader.at(*grip, bracket), end);
+      page.close().element("td", standing);
+    };
+    add("minimum", "lower", least);
+    add("maximum", "upper", most);
+    page.close();
+  }
+  end_table(page);
+}
+
+// Pairs of factors as text: "(1, 2) (3, 4)".
+std::string pairs_text(const ResultReader& reader, const ResultJson& piece, const char* key) {
+  std::string text;
+  for (const auto& each : reader.list(piece, key)) {
+    const auto pair = reader.vector(each, 2);
+    text += fmt::format("{}({:.6g}, {:.6g})", text.empty() ? "" : " ", pair.x(), pair.y());
+  }
+  return text.empty() ? "–" : text;
+}
+
+void add_pieces(Markup& page, const ResultReader& reader, const ResultJson& pieces) {
+  begin_table(page, "Pieces: all pairs of factors between the vertices and along the directions",
+              {"piece", "vertices", "directions", "in contact", "remark"});
+  std::size_t number = 0;
+  for (const auto& piece : pieces) {
+    const auto* const fine = ResultReader::find(piece, "fine");
+    page.open("tr").element("td", std::to_string(++number));
+    page.element("td", pairs_text(reader, piece, "vertices"));
+    page.element("td", pairs_text(reader, piece, "rays"));
+    page.element("td", joined(reader.names(reader.at(piece, "pattern"), "contact")));
+    page.element("td", reader.at(piece, "everything") == true ? "all pairs"
+                       : fine != nullptr && *fine == false    ? "may be larger"
+                                                              : "–");
+    page.close();
   }
   end_table(page);
 }
@@ -85,13 +153,20 @@ void add_intervals(Markup& page, const ResultReader& reader, const ResultJson& p
 }  // namespace
 
 void add_held_loads(Markup& page, const ResultReader& reader, const std::string& sentence) {
-  const auto chart = hold_chart(reader, sentence);
-  if (!chart) return;
-  page.open("section", {{"id", "loads"}}).element("h2", "Loads that can be held");
-  page.verbatim(inline_chart("held", *chart));
   const auto& result = reader.at(reader.all(), "result");
-  if (ResultReader::find(result, "points") != nullptr)
-    add_intervals(page, reader, reader.list(result, "points"));
+  if (ResultReader::find(result, "holding_friction") != nullptr) return;
+  page.open("section", {{"id", "loads"}}).element("h2", "Loads that can be held");
+  if (is_charted_hold(reader))
+    page.verbatim(inline_chart("held", hold_chart(reader, sentence).value()));
+  if (ResultReader::find(result, "pieces") != nullptr) {
+    add_pieces(page, reader, reader.list(result, "pieces"));
+  } else {
+    const auto points = ResultReader::find(result, "points") != nullptr
+                            ? reader.list(result, "points")
+                            : ResultJson::array({result});
+    add_intervals(page, reader, points);
+    add_grips(page, reader, points);
+  }
   page.close();
 }
 

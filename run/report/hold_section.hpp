@@ -1,4 +1,4 @@
-// Loads that can be held, on a page: the chart, and its intervals.
+// Loads that can be held, on a page: the chart, and the intervals, grip ranges or pieces.
 #pragma once
 
 #include <string>

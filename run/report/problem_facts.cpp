@@ -148,7 +148,8 @@ class ProblemFacts {
     const auto& result = reader_.at(reader_.all(), "result");
     return ResultReader::find(result, "friction") == nullptr
                ? std::string()
-               : fmt::format("{:.10g}", reader_.number(result, "friction"));
+               : fmt::format("{:.10g}{}", reader_.number(result, "friction"),
+                             of_each_candidate(reader_));
   }
 
   [[nodiscard]] std::string loads() const {

@@ -1,12 +1,14 @@
 // Every access is checked, since the file may be invalid.
 #include "run/results/result_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "answer/values.hpp"
 #include "problems/files/structure_file.hpp"
 #include "run/output/wrong_input.hpp"
 
@@ -24,6 +26,12 @@ constexpr double largest_number = 1e100;
 std::string result_text(Session& session, const std::string& file) {
   return session.from_first_rank(
       [&] { return problems::file_text(file, "a result file in JSON", largest_result); });
+}
+
+std::string of_each_candidate(const ResultReader& reader) {
+  const auto& candidates = reader.list(reader.at(reader.all(), "problem"), "contact");
+  return answer::of_each_candidate(std::ranges::any_of(
+      candidates, [&](const auto& each) { return reader.number(each, "friction") != 1; }));
 }
 
 ResultReader::ResultReader(const std::string& text, std::string file) : file_(std::move(file)) {

@@ -127,8 +127,9 @@ class SceneReader {
   void read_patterns(ResultScenes& all) {
     const double friction = reader_.number(result_, "friction");
     const auto& patterns = reader_.list(result_, "patterns");
-    all.picture.lines = {fmt::format("{} at friction coefficient {:.10g}",
-                                     answer::counted(patterns.size(), "sign pattern"), friction)};
+    all.picture.lines = {fmt::format("{} at friction coefficient {:.10g}{}",
+                                     answer::counted(patterns.size(), "sign pattern"), friction,
+                                     of_each_candidate(reader_))};
     for (const auto& pattern : patterns) {
       if (!is_chosen(all, all.count)) continue;
       add_remark_on_whole(all, pattern, "patterns");
@@ -172,8 +173,9 @@ class SceneReader {
   void read_rays(ResultScenes& all) {
     const double friction = reader_.number(result_, "friction");
     const auto& rays = reader_.list(result_, "rays");
-    all.picture.lines = {fmt::format("{} at friction coefficient {:.10g}",
-                                     answer::counted(rays.size(), "extremal ray"), friction)};
+    all.picture.lines = {fmt::format("{} at friction coefficient {:.10g}{}",
+                                     answer::counted(rays.size(), "extremal ray"), friction,
+                                     of_each_candidate(reader_))};
     if (!rays.empty()) add_remark_on_whole(all, rays.front(), "rays");
     for (const auto& ray : rays) {
       if (!is_chosen(all, all.count)) continue;
@@ -219,7 +221,8 @@ class SceneReader {
       add_loads(scene, {.factor = factor,
                         .factor_text = rounded_within(factor, low, high, digits_of_picture)});
       add_line(scene, "held " + load + (factor == 0 ? "" : " of the reference load"));
-      all.picture.lines = {"states of equilibrium at friction coefficient " + coefficient};
+      all.picture.lines = {"states of equilibrium at friction coefficient " + coefficient +
+                           of_each_candidate(reader_)};
       all.entries.push_back(all.count - 1);
       all.scenes.push_back(std::move(scene));
     }

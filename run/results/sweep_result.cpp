@@ -82,7 +82,7 @@ class SweptFriction : public SweepPage {
     Chart chart{.title = problem_name(),
                 .description = sentence_,
                 .lines = {"sign patterns of wedged configurations", sentence_},
-                .x_name = fmt::format("friction coefficient{}", times()),
+                .x_name = "friction coefficient" + of_each_candidate(reader_),
                 .y_name = many ? "log10 (1 + sign patterns)" : "sign patterns",
                 .whole_numbers = !many,
                 .series = {}};
@@ -155,13 +155,6 @@ class SweptFriction : public SweepPage {
     if (!as_logarithm && small) return static_cast<double>(*small);
     return small ? std::log10(1 + static_cast<double>(*small)) : count.log10();
   }
-  [[nodiscard]] std::string times() const {
-    const bool uniform = std::ranges::all_of(
-        reader_.list(problem_, "contact"),
-        [this](const ResultJson& each) { return number(each, "friction") == 1; });
-    return answer::of_each_candidate(!uniform);
-  }
-
   const bool could_not_wrap_ =
       product_of([](const ResultJson&) { return true; }).log10() < 64 * std::log10(2.0);
 };

@@ -42,9 +42,10 @@ std::string lower_end_text(const limit::GuaranteedInterval& interval) {
     return fmt::format("; no factor is common to all loads{}",
                        answer::unless_proved(interval.standing()));
   if (!interval.has_factors()) return "; the least factor for all loads is undecided";
-  return fmt::format("; for all loads from {} on{}",
-                     support::rounded_up(interval.minimum.at_most(), support::digits_of_table),
-                     answer::unless_proved(interval.minimum.upper->standing));
+  const auto [low, high] = support::inside(interval.minimum.at_most(), interval.largest.at_least(),
+                                           support::digits_of_table);
+  return fmt::format("; carried under all loads from {}{} to {}", low,
+                     answer::unless_proved(interval.minimum.upper->standing), high);
 }
 
 class LoadSweep final : public Swept {

@@ -283,12 +283,14 @@ bool acts(const verify::EnclosedLoad& load) {
 answer::CertificateCheck::Held held_of(const verify::Certificate& certificate,
                                        const verify::ConsistentStructure& problem,
                                        const verify::HoldClaims& claims, bool except_large) {
-  answer::CertificateCheck::Held held{.friction = problem.friction,
+  answer::CertificateCheck::Held held{.friction = {},
                                       .load_case = certificate.loads->load_case,
                                       .of_reference = acts(problem.loads[1]),
                                       .total = certificate.total,
                                       .held = ranges_of(claims.held),
                                       .none = ranges_of(claims.none)};
+  const auto [least, largest] = std::ranges::minmax(certificate.friction);
+  if (least == largest) held.friction = largest;
   if (except_large) held.displacement_ratio = verify::largest_displacement_ratio;
   if (!claims.restricts_a_sum) return held;
   const auto proved = answer::CertificateCheck::proved_at;

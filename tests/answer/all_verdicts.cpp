@@ -102,7 +102,8 @@ void add_holding_brackets(std::vector<AnyAnswer>& all) {
 }
 
 HoldingFactors::Interval interval(double low, double high, Standing standing) {
-  return {standing, {std::nullopt, Bound{low, standing}}, {Bound{high, standing}, std::nullopt}};
+  return HoldingFactors::Interval::from(standing, {std::nullopt, Bound{low, standing}},
+                                        {Bound{high, standing}, std::nullopt});
 }
 
 void add_grips(std::vector<AnyAnswer>& all) {
@@ -149,7 +150,7 @@ void add_holding(std::vector<AnyAnswer>& all) {
         if (!open) none.outside = standing;
         HoldingFactors held = none;
         held.friction = 0.5;
-        held.intervals = {{.standing = standing}};
+        held.intervals = {HoldingFactors::Interval::from(standing, {}, {})};
         held.outside.reset();
         HoldingFactors other = none;
         other.friction = 0.45;

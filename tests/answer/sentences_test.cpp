@@ -163,7 +163,8 @@ Command hold() {
 
 HoldingFactors factors(double low, double high) {
   HoldingFactors found{.friction = 0.4, .outside = Standing::proved};
-  found.intervals = {{Standing::proved, proved(low - 1e-8, low), proved(high, high + 1e-8)}};
+  found.intervals = {HoldingFactors::Interval::from(
+      Standing::proved, proved(low - 1e-8, low), proved(high, high + 1e-8))};
   return found;
 }
 
@@ -176,7 +177,7 @@ Command hold_factors() {
                           .minimum = {computed(1.17), proved(1.18)},
                           .maximum = proved(1.5, 1.51)};
   auto computed_ends = held;
-  computed_ends.intervals.front().standing = Standing::computed;
+  computed_ends.intervals.front().standing = IntervalStanding::computed;
   computed_ends.outside = Standing::computed;
   HoldingFactors none{.friction = 0.4, .outside = Standing::proved};
   auto dead = none;

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "all_verdicts.hpp"
+#include "answer/answer_words.hpp"
 #include "answer/ending.hpp"
 #include "answer/verdict_json.hpp"
 #include "run/output/terminal_page.hpp"
@@ -400,7 +401,7 @@ TEST(LossWords, NameTheMembersThatAreKept) {
 TEST(HoldingWords, ExcludeNoFactorOfABracket) {
   const auto bound = [](double value) { return Bound{value, Standing::proved}; };
   HoldingFactors found{.friction = 3,
-                       .intervals = {{.standing = Standing::proved}},
+                       .intervals = {{.standing = IntervalStanding::proved}},
                        .outside = Standing::proved,
                        .load_case = "wind"};
   found.intervals[0].below = {bound(-1.1000000001), bound(-1.0999999992)};
@@ -408,10 +409,60 @@ TEST(HoldingWords, ExcludeNoFactorOfABracket) {
   EXPECT_EQ(headline({.answer = found}),
             "It can hold these factors of the reference load at friction coefficient 3 in load "
             "case \"wind\": from -1.0999 to 0.9, and none below -1.1001 or above 0.90001.");
-  found.intervals.push_back({.standing = Standing::proved});
+  found.intervals.push_back({.standing = IntervalStanding::proved});
   found.intervals[1].below = {bound(1.9999999), bound(2)};
+  EXPECT_THAT(
+      headline({.answer = found}),
+      HasSubstr("and all from 2 on, and none below -1.1001 or between 0.90001 and 1.9999."));
+}
+
+TEST(HoldingWords, ProveAnIntervalIfNoFactorBeyondItsEndsIsHeld) {
+  using Interval = HoldingFactors::Interval;
+  const auto known = Bracket::proved(1, 2);
+  const Bracket below{std::nullopt, Bound{1, Standing::proved}};
+  EXPECT_EQ(Interval::from(Standing::proved, known, {}).standing, IntervalStanding::proved);
+  EXPECT_EQ(Interval::from(Standing::proved, below, {}).standing, IntervalStanding::states_proved);
+  EXPECT_EQ(Interval::from(Standing::computed, known, {}).standing, IntervalStanding::computed);
+}
+
+TEST(HoldingWords, ShowABoundBesideZeroAsZero) {
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  HoldingFactors found{.friction = 0.5, .outside = Standing::proved};
+  found.intervals = {HoldingFactors::Interval::from(
+      Standing::computed, {Bound{-2 * least, Standing::proved}, Bound{0, Standing::computed}},
+      {Bound{0, Standing::computed}, Bound{2 * least, Standing::proved}})};
   EXPECT_THAT(headline({.answer = found}),
-              HasSubstr("and from 2 on, and none below -1.1001 or between 0.90001 and 1.9999."));
+              HasSubstr(": 0 (computed, not proved), and none below 0 or above 0."));
+}
+
+TEST(HoldingWords, NameWhatIsNotKnownOfASum) {
+  HoldingGrip grip{.standing = Standing::proved,
+                   .minimum = {Bound{0, Standing::proved}, Bound{0.943, Standing::proved}}};
+  EXPECT_THAT(grip_sentence(grip),
+              HasSubstr("add up to 0 or more, in some to 0.943 or less; an upper bound is not "
+                        "known."));
+  grip.minimum.upper.reset();
+  EXPECT_THAT(grip_sentence(grip),
+              HasSubstr("0 or more; a larger lower bound and an upper bound are not known."));
+  EXPECT_EQ(grip_line(grip),
+            "sum of the normal reactions under the dead load alone: at least 0 (proved), upper "
+            "bound not known\n");
+  const HoldingFactors found{.friction = 0.5, .grip = grip};
+  const auto said = reservations({.answer = found});
+  EXPECT_EQ(std::ranges::count_if(said, &Reservation::open), 2);
+  grip.minimum.upper = Bound{0, Standing::proved};  // no reaction at all
+  EXPECT_TRUE(grip.has_least());
+}
+
+TEST(HoldingWords, NameACoefficientOfZeroAsNoFriction) {
+  const Bound zero{0, Standing::proved};
+  HoldingBracket found{.bracket = {zero, std::nullopt}, .maximum = 1000};
+  EXPECT_EQ(headline({.answer = found}),
+            "It cannot hold the dead load without friction; with friction, this is not known.");
+  found.bracket.upper = Bound{0.5, Standing::computed};
+  EXPECT_EQ(headline({.answer = found}),
+            "It cannot hold the dead load without friction; at friction coefficient 0.5 it can "
+            "(computed, not proved).");
 }
 
 TEST(HoldingWords, NameTheLoadsThatAWedgedPatternHolds) {

@@ -283,6 +283,56 @@ class Hold(KusabiCase):
                     self.assertFalse(each[f"{end}_out_proved"])
                     self.assertEqual((result["result"]["open"], result["result"]["outside"]), (True, None))
 
+    def test_tables_and_files_have_one_standing_of_an_interval(self):
+        for name, mu, standing in (("open_end", 0.5, "states proved"), ("end_at_zero", 0.3, "proved"), ("post_on_floor", 0.5, "computed")):
+            place = SOURCES / "tests" / "cases" / f"{name}.toml"
+            result = self.solve("hold", place, "--mu", mu, "--csv", self.folder / "a.csv")
+            (row,) = csv.DictReader((self.folder / "a.csv").read_text().splitlines())
+            (interval,) = result["result"]["intervals"]
+            self.assertEqual((interval["standing"], row["standing"]), (standing, standing))
+            self.assertRegex(self.kusabi("hold", place, "--mu", mu).stdout, rf"\n    1 .*  {standing}  ")
+            report = self.folder / "a.html"
+            self.assertEqual(self.kusabi("report", self.result, "--output", report).returncode, 0)
+            self.assertIn(f"<td>{standing}</td>", report.read_text())
+
+    def test_an_end_at_zero_is_known_up_to_rounding(self):
+        # By statics 0 to mu (1 + mu) / (1 + mu^2). Near 0 sign patterns are undecided.
+        result = self.solve("hold", SOURCES / "tests" / "cases" / "end_at_zero.toml", "--mu", 0.3)
+        held = with_ends(*result["result"]["intervals"])
+        self.check_end(held["low"], held["low_out"], 0)
+        self.check_end(held["high"], held["high_out"], 0.39 / 1.09)
+        self.assertEqual((result["result"]["open"], result["result"]["outside"], result["verdict"]["exit_code"]), (False, "proved", 0))
+
+    def test_supports_have_a_state_whatever_is_known_of_its_sum(self):
+        # The least sum at 0.7 is between 0.899 and 1.616.
+        place = SOURCES / "tests" / "cases" / "grip_of_a_pair.toml"
+        for mu in (0.5, 0.7):
+            result = self.solve("hold", place, "--mu", mu, "--grip", "--csv", self.folder / "a.csv")
+            grip = result["result"]["grip"]
+            self.assertEqual((grip["held"], grip["standing"], grip["minimum"]["lower"]), (True, "proved", {"value": 0, "standing": "proved"}))
+            self.assertNotEqual((grip["minimum"]["upper"] or {"value": 1})["value"], 0)
+            self.assertNotIn("That there is a state", " ".join(result["verdict"]["details"]))
+            self.assertIn("The least sum of the normal reactions is not known.", result["verdict"]["reservations"])
+            (row,) = csv.DictReader((self.folder / "a.csv").read_text().splitlines())
+            self.assertEqual([row[f"sum_{key}"] for key in ("at_least", "at_least_standing", "at_most", "at_most_standing")],
+                             ["0", "proved", "", "not known"])
+
+    def test_nothing_is_proved_of_a_large_body_without_a_certificate(self):
+        # More than 2000 displacements are not enclosed on the way. Statics: 0.1 is the ratio of the load's components.
+        text = BLOCK.replace("divisions = [1, 1]", "divisions = [40, 30]").replace("block.1,0", "block.40,0")
+        place = self.problem(text + LOAD.format('"block.20,30"', [0.1, -1]))
+        result = self.solve("hold", place)
+        found = result["result"]["holding_friction"]
+        self.check_end(found["upper"]["value"], found["lower"]["value"], 0.1)
+        self.assertEqual([found[end]["standing"] for end in ("lower", "upper")], ["computed"] * 2)
+        self.assertIn("(computed, not proved)", result["verdict"]["sentence"])
+        table = self.kusabi("hold", place).stdout
+        self.assertRegex(table, r"\nholding friction coefficient: between 0\.\d+ and 0\.\d+ \(computed, not proved\)\n")
+        result = self.solve("hold", place, "--mu", 0.2, "--csv", self.folder / "a.csv")
+        self.assertEqual([each["standing"] for each in result["result"]["intervals"]], ["computed"])
+        (row,) = csv.DictReader((self.folder / "a.csv").read_text().splitlines())
+        self.assertEqual(row["standing"], "computed")
+
     def test_factors_are_complete_if_the_search_ends_with_the_grip_range(self):
         claims = set()
         for nodes in range(1, 100):
@@ -372,7 +422,7 @@ forces = [{{ nodes = ["ladder.8,0"], force = [0, -1] }}]
         self.assertEqual([row["mu"] for row in rows], ["0.4", "0.4", "0.5", "0.5", "0.74", "0.74", "0.76", "2"])
         self.assertEqual([row["low"] == "" for row in rows], [True, False] * 3 + [True, True])
         self.assertEqual({row["standing"] for row in rows}, {"proved"})
-        self.assertRegex(result["verdict"]["sentence"], r"at 5 friction coefficients: at 0.4 up to -1.875.* at 2 all;")
+        self.assertRegex(result["verdict"]["sentence"], r"at 5 friction coefficients: at 0.4 all up to -1.875.* at 2 all;")
         self.assertEqual((self.folder / "a.svg").read_text(), (self.folder / "b.svg").read_text())
 
     def test_several_coefficients_of_a_dead_load_are_decided(self):

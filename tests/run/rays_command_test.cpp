@@ -213,8 +213,11 @@ TEST_F(RaysCommand, ProvesTheMaximalConesOrThatThereIsNoRay) {
   const auto& answer = found["result"];
   EXPECT_EQ(answer["proved_cones"], found["result"]["cones"].size());
   EXPECT_EQ(answer["standing"], "computed");  // of the rays in them
-  EXPECT_THAT(table, HasSubstr(fmt::format("in {} maximal cones (proved)",
+  EXPECT_THAT(table, HasSubstr(fmt::format("in {} maximal cones at friction coefficient 0.8, by",
                                            found["result"]["cones"].size())));
+  EXPECT_THAT(table, HasSubstr("\nproved: the candidates in contact and separated of these cones, "
+                               "and that there is no other cone; the numbers of the rays are "
+                               "computed, not proved\n"));
   const auto page = shell(command + " report " + argument("rays.json"));
   EXPECT_THAT(page.output, HasSubstr("exact arithmetic proves these cones, and that there is no "
                                      "other."));

@@ -17,6 +17,10 @@ namespace kusabi::wedged {
 /// Load factors and friction coefficients that one block holds, with their evidence.
 class BlockHold {
  public:
+  /// A bracket of the coefficient that is not divided by trees, and of a load factor that counts as
+  /// decided, relative: a hundred times that of a leaf.
+  static constexpr double close_enough = 1e-7;
+
   /// @pre arguments outlive this object  @param recorded true: for record()
   BlockHold(engine::Analysis& analysis, const LoadedProblem& block,
             const HoldParameters& parameters, std::vector<HoldCost>& costs, bool recorded = false)
@@ -62,9 +66,6 @@ class BlockHold {
  private:
   /// Bisections of one end: more than the digits of a double.
   static constexpr int max_halvings = 70;
-  /// A bracket of the coefficient that is not divided by trees, and of a load factor that counts as
-  /// decided, relative: a hundred times that of a leaf.
-  static constexpr double close_enough = 1e-7;
 
   /// The end of a pattern in one direction: it has states at `feasible`, and none at `infeasible`.
   struct Ends {

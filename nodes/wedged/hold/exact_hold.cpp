@@ -10,6 +10,7 @@
 
 #include "engine/collectives.hpp"
 #include "nodes/evidence/verified_structure.hpp"
+#include "nodes/wedged/hold/block_hold.hpp"
 #include "nodes/wedged/tree/evidence_check.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "verify/wedged/proof.hpp"
@@ -23,6 +24,18 @@ namespace {
 
 verify::LoadShare verified(const LoadShare& share) {
   return {.dead = share.dead, .reference = share.reference};
+}
+
+// True if no end has a wide bracket, relative to the larger number of both.
+bool is_narrow(const HeldInterval& held) {
+  if (held.low == held.high) return true;
+  double size = 0;
+  for (const double end : {held.low, held.high})
+    if (std::isfinite(end)) size = std::max(size, std::abs(end));
+  const auto near = [&](double end, double out) {
+    return std::isinf(end) || std::abs(out - end) <= BlockHold::close_enough * size;
+  };
+  return near(held.low, held.low_out.value) && near(held.high, held.high_out.value);
 }
 
 verify::GripBound verified(const GripRestriction& grip) {
@@ -161,8 +174,8 @@ void ExactHold::set_standings(HeldFactors& found) const {
   const auto none = [&](double low, double high) {
     return support::proved_if(low > high || (known != nullptr && contains(known->none, low, high)));
   };
-  const auto outside = found.outside;  // computed, too, if some factors are unknown
-  found.outside = Standing::proved;
+  auto outside = Standing::proved;
+  bool narrow = true;
   double below = -unbounded_end;  // the end of the interval before
   for (std::size_t k = 0; k < found.intervals.size(); ++k) {
     auto& each = found.intervals[k];
@@ -180,11 +193,16 @@ void ExactHold::set_standings(HeldFactors& found) const {
         std::isinf(each.high)
             ? each.standing
             : none(below, last ? unbounded_end : found.intervals[k + 1].low_out.value);
-    for (const auto& end : {each.low_out, each.high_out})
-      if (end.standing == Standing::computed) found.outside = Standing::computed;
+    outside = both(outside, both(each.low_out.standing, each.high_out.standing));
+    narrow = narrow && is_narrow(each);
   }
-  if (found.intervals.empty()) found.outside = none(-unbounded_end, unbounded_end);
-  found.outside = both(outside, found.outside);
+  if (found.intervals.empty()) outside = none(-unbounded_end, unbounded_end);
+  // Patterns that are undecided may hold factors within the brackets of the ends only.
+  if (is_proved(outside) && narrow && found.status == engine::Status::solved) {
+    found.unresolved = false;
+    found.outside = outside;
+  }
+  found.outside = both(found.outside, outside);
 }
 
 void ExactHold::set_standings(GripRange& found) const {

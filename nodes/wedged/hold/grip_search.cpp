@@ -176,7 +176,7 @@ GripEnd BlockGrip::end(Kind kind, const LoadedLeaf& leaf) {
     }
     if (again) continue;
     if (may_be_beyond && kind == Kind::above) return unknown_end;
-    if (may_be_beyond) end.out.value = 0;
+    if (may_be_beyond) end.out = zero;
     return end;
   }
   end.out.standing = support::Standing::computed;
@@ -201,7 +201,7 @@ std::optional<GripOfBlock> BlockGrip::range() {
   if (first.is_infeasible()) return {};
   if (first.leaves.empty()) {  // degenerate states, if any: no bound but zero
     if (!own.maximum.unbounded) own.maximum = unknown_end;
-    own.minimum.held.standing = support::Standing::computed;
+    own.minimum = {.out = zero, .known = false};
     return own;
   }
   own.minimum = end(Kind::below, first.leaves.front());
@@ -251,7 +251,8 @@ GripRange grip_range(engine::Analysis& analysis, const LoadedProblem& loaded, do
     if (found.status != engine::Status::solved) break;
     found.held = range.has_value();
     if (!found.held) break;
-    found.standing = both(found.standing, range->minimum.held.standing);
+    if (block.problem.modes.matrix.cols() > 0)  // supports hold every load
+      found.standing = both(found.standing, range->minimum.held.standing);
     add(found.minimum, range->minimum);
     add(found.maximum, range->maximum);
     if (record != nullptr) {

@@ -12,11 +12,11 @@
 
 namespace kusabi::wedged {
 
-/// An end of the range. There is a state with `held`, and none with `out` or beyond.
+/// An end of the range. There is a state with `held`, and none beyond `out`.
 struct GripEnd {
   support::Bound held{};
   support::Bound out{};
-  bool known = true;       ///< false: neither number is known, only that there may be states
+  bool known = true;       ///< false: `held` is not known, and of a maximum `out` neither
   bool unbounded = false;  ///< no end: a wedged configuration may be added in any multiple
   std::optional<LoadedPattern> pattern{};  ///< of the block, at `held`
 };

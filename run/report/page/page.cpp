@@ -56,16 +56,22 @@ void add_problem_section(Markup& page, const ResultReader& reader, const ResultS
   page.close();
 }
 
-// Both bounds with their standing.
+// Both bounds of a friction coefficient with their standing, if there is one.
 void add_bracket(Markup& page, const ResultReader& reader) {
   const auto& result = reader.at(reader.all(), "result");
-  const auto& bracket = reader.at(result, "critical_friction");
-  page.open("section", {{"id", "bracket"}}).element("h2", "Critical friction coefficient");
+  const auto* const critical = ResultReader::find(result, "critical_friction");
+  const auto* const holding = ResultReader::find(result, "holding_friction");
+  if (critical == nullptr && holding == nullptr) return;
+  const auto& bracket = critical != nullptr ? *critical : *holding;
+  page.open("section", {{"id", "bracket"}});
+  page.element("h2", fmt::format("{} friction coefficient{}", critical ? "Critical" : "Holding",
+                                 of_each_candidate(reader)));
   begin_facts(page, "Bracket");
-  add_bound_fact(page, reader, "cannot stick at", bracket, "lower");
-  add_bound_fact(page, reader, "sticks at", bracket, "upper");
+  add_bound_fact(page, reader, critical ? "cannot stick at" : "cannot be held at", bracket,
+                 "lower");
+  add_bound_fact(page, reader, critical ? "sticks at" : "can be held at", bracket, "upper");
   if (!reader.bound(bracket, "lower") && !reader.bound(bracket, "upper"))
-    add_fact(page, "undecided whether it can stick",
+    add_fact(page, fmt::format("undecided whether it can {}", critical ? "stick" : "be held"),
              fmt::format("from 0 to {}", reader.number(result, "maximum")));
   end_table(page);
   page.close();
@@ -85,10 +91,10 @@ std::string report_page(const ResultReader& reader) {
   add_verdict(page, reader);
   page.close().open("main");
   if (leading != nullptr) add_leading(page, reader, list);
-  if (command == "critical") add_bracket(page, reader);
+  if (command == "critical" || command == "hold") add_bracket(page, reader);
   if (command == "limit") add_limit(page, reader, scenes);
   if (command == "sweep") add_sweep(page, reader);
-  if (is_charted_hold(reader)) add_held_loads(page, reader, reader.sentence());
+  if (command == "hold") add_held_loads(page, reader, reader.sentence());
   if (list.answers.size() > 1) add_gallery(page, reader, list);
   add_problem_section(page, reader, scenes);
   page.open("section", {{"id", "origin"}}).element("h2", "Details of the run");
