@@ -319,6 +319,23 @@ TEST_F(TableText, ShowsReservationsInYellow) {
   EXPECT_THAT(shown, HasSubstr("are known"));
 }
 
+TEST_F(TableText, ShowsWarningsAndReservationsOnce) {
+  const auto times = [](const std::string& text, const std::string& part) {
+    int count = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+  };
+  const auto file = std::string(KUSABI_SOURCE_DIR) + "/examples/peg-under-load.toml";
+  const auto call = command + " critical " + quoted(file) + " --node-limit 1";
+  const auto shown = on_terminal(call + "; true", 1000);
+  const std::string warning = "ignores 3 loads of the file";
+  EXPECT_EQ(times(shown, warning), 1) << shown;
+  EXPECT_EQ(times(shown, "Stopped early"), 1) << shown;
+  // A file of the table has its warnings.
+  EXPECT_EQ(times(on_terminal(call + " > " + argument("table") + "; true", 1000), warning), 1);
+  EXPECT_EQ(times(content(in_folder("table")), warning), 1);
+}
+
 // A line of the log is explained below its heading.
 TEST_F(TableText, OfTheLogIsExplainedByTheHelp) {
   const std::string found = "     time   nodes   per s    open   found      idle    done      left";
