@@ -1,5 +1,5 @@
 // Holding friction coefficient of a block: trees at coefficients from 0 on, and the coefficient of
-// a leaf by the programs of its pattern.
+// a leaf by bisection.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -153,18 +153,15 @@ void BlockHold::follow(HoldingFriction& found, double minimum) {
     const auto standard = upper->proved() ? Standard::proved : Standard::computed;
     HoldNodes nodes(block_, std::array{LoadShare{1, 0}}, upper->value, parameters_.precision);
     const double start = std::max(found.bracket.at_least(), minimum);
-    const auto answer_at = [&](double mu) {
+    const auto result_at = [&](double mu) {
       nodes.set_friction(mu);
-      auto answer = by_standard(nodes, *found.pattern, standard);
-      if (answer.result == HoldResult::infeasible)
-        answer.excluded_to = nodes.excluded_friction(*found.pattern);
-      return answer;
+      return by_standard(nodes.solve(*found.pattern), standard);
     };
-    if (start == minimum && answer_at(minimum).result == HoldResult::feasible) {
+    if (start == minimum && result_at(minimum) == HoldResult::feasible) {
       found.bracket.upper->value = minimum;
       return;
     }
-    const Ends ends = close_in({upper->value, start}, 0, answer_at);
+    const Ends ends = bisect({upper->value, start}, 0, result_at);
     found.bracket.upper->value = ends.feasible;
     if (ends.infeasible <= found.bracket.at_least() || prove_lower(found, ends.infeasible)) return;
   }

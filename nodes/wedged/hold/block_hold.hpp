@@ -1,5 +1,5 @@
 // Searches for states of one block under load: trees over ranges of load factors or coefficients,
-// and both ends of the interval of a leaf.
+// and bisection of both ends of the interval of a leaf.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "engine/analysis/analysis.hpp"
-#include "nodes/wedged/hold/end_search.hpp"
 #include "nodes/wedged/hold/hold_search.hpp"
 
 namespace kusabi::wedged {
@@ -67,7 +66,8 @@ class BlockHold {
   /// Bisections of one end: more than the digits of a double.
   static constexpr int max_halvings = 70;
 
-  /// The end of a pattern in one direction: it has states at `feasible`, and none at `infeasible`.
+  /// Bracket of the point on a line at which a monotone answer changes: from `feasible`, where it
+  /// is feasible, to `infeasible`.
   struct Ends {
     double feasible, infeasible;
     bool unbounded_by_limit = false;  ///< infinite, by a state of the reference load at a limit
@@ -95,14 +95,9 @@ class BlockHold {
   /// Conclusions that count: proved ones only, or also computed ones (relative interior at t* = 0).
   enum class Standard { proved, computed };
   static HoldResult by_standard(HoldResult result, Standard standard);
-  static PointAnswer by_standard(HoldNodes& nodes, const LoadedPattern& pattern, Standard standard);
 
-  [[nodiscard]] PointAnswer answer_at(const LoadedPattern& pattern, LoadShare share, double mu,
-                                      Standard standard) const;
   [[nodiscard]] HoldResult at(const LoadedPattern& pattern, LoadShare share, double mu,
-                              Standard standard) const {
-    return answer_at(pattern, share, mu, standard).result;
-  }
+                              Standard standard) const;
   HeldFactors homogeneous_factors(double mu);
   bool wedges(double mu);
   /// The interval of a pattern that contains `from`.
@@ -110,7 +105,7 @@ class BlockHold {
                                       Standard standard) const;
   Ends extend(const LoadedPattern& pattern, double from, int direction, double mu,
               Standard standard) const;
-  Ends close_in(Ends ends, double floor, const std::function<PointAnswer(double)>& answer_at) const;
+  Ends bisect(Ends ends, double floor, const std::function<HoldResult(double)>& result_at) const;
   void explore(HeldFactors& found, std::vector<FactorRange>& empty_ranges, double mu);
   void take(const LoadedLeaf& leaf, double low, double high, Standard standard, HeldFactors& found,
             std::vector<FactorRange>& unknown, double mu);

@@ -8,7 +8,6 @@
 #include <numeric>
 
 #include "nodes/wedged/hold/bounded_search.hpp"
-#include "nodes/wedged/hold/end_search.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
@@ -50,12 +49,8 @@ class BlockGrip {
  private:
   GripEnd end(Kind kind, const LoadedLeaf& leaf);  // in one direction from a state
   HoldOutcome search(std::span<const LoadShare> shares, const std::optional<GripRestriction>& grip);
-  [[nodiscard]] PointAnswer answer_at(const LoadedPattern& pattern,
-                                      const std::optional<GripRestriction>& grip) const;
   [[nodiscard]] bool reaches(const LoadedPattern& pattern,
-                             const std::optional<GripRestriction>& grip) const {
-    return answer_at(pattern, grip).result == HoldResult::feasible;
-  }
+                             const std::optional<GripRestriction>& grip) const;
   [[nodiscard]] std::optional<GripEnd> no_end(const LoadedPattern& pattern) const;
   void follow(GripEnd& end, Kind kind) const;
   [[nodiscard]] double sum_of(const LoadedLeaf& leaf) const;
@@ -89,12 +84,10 @@ double BlockGrip::sum_of(const LoadedLeaf& leaf) const {
   return sum / leaf.amounts.front();
 }
 
-// An undecided sum counts as one without states: the tree beyond it decides.
-PointAnswer BlockGrip::answer_at(const LoadedPattern& pattern,
-                                 const std::optional<GripRestriction>& grip) const {
+bool BlockGrip::reaches(const LoadedPattern& pattern,
+                        const std::optional<GripRestriction>& grip) const {
   HoldNodes nodes(block_, std::array{dead_load}, mu_, parameters_.precision, grip);
-  const bool reached = nodes.solve(pattern) == HoldResult::feasible;
-  return {reached ? HoldResult::feasible : HoldResult::infeasible, nodes.margin()};
+  return nodes.solve(pattern) == HoldResult::feasible;
 }
 
 // No end, if any multiple of a wedged configuration can be added to the states of a pattern: proved
@@ -121,14 +114,13 @@ void BlockGrip::follow(GripEnd& end, Kind kind) const {
       out *= 2;
     }
   }
-  const auto found = close_in(
-      {held, out}, {parameters_.width, floor},
-      [&](double sum) {
-        return answer_at(*end.pattern, GripRestriction{kind, sum});
-      },
-      [this] { return analysis_.ended(); });
-  held = found.feasible;
-  end.out.value = found.infeasible;
+  for (int step = 0; step < max_steps && !analysis_.ended(); ++step) {
+    if (std::abs(out - held) <= std::max(floor, parameters_.width * std::max(out, held))) break;
+    const double middle = held + (out - held) / 2;
+    if (middle == held || middle == out) break;
+    (reaches(*end.pattern, GripRestriction{kind, middle}) ? held : out) = middle;
+  }
+  end.out.value = out;
 }
 
 const GripEnd unknown_end{.known = false};

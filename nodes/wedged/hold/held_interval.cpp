@@ -1,4 +1,4 @@
-// Interval of load factors of one sign pattern: its ends by cone programs at single factors.
+// Interval of load factors of one sign pattern: every point of a bisection is a cone program.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,21 +17,10 @@ constexpr double min_factor_share = 1e-12;
 
 }  // namespace
 
-PointAnswer BlockHold::answer_at(const LoadedPattern& pattern, LoadShare share, double mu,
-                                 Standard standard) const {
+HoldResult BlockHold::at(const LoadedPattern& pattern, LoadShare share, double mu,
+                         Standard standard) const {
   HoldNodes nodes(block_, std::array{share}, mu, parameters_.precision, grip_);
-  auto answer = by_standard(nodes, pattern, standard);
-  if (answer.result == HoldResult::infeasible && share.dead == 1 && !grip_) {
-    const auto [dead, reference, second] = nodes.works();
-    answer.excluded_to = -dead / reference;
-  }
-  return answer;
-}
-
-PointAnswer BlockHold::by_standard(HoldNodes& nodes, const LoadedPattern& pattern,
-                                   Standard standard) {
-  const HoldResult result = nodes.solve(pattern);
-  return {by_standard(result, standard), nodes.margin()};
+  return by_standard(nodes.solve(pattern), standard);
 }
 
 HoldResult BlockHold::by_standard(HoldResult result, Standard standard) {
@@ -60,16 +49,48 @@ double BlockHold::factor_scale() const {
   return scale > 0 && std::isfinite(scale) ? scale : 1;
 }
 
-BlockHold::Ends BlockHold::close_in(Ends ends, double floor,
-                                    const std::function<PointAnswer(double)>& answer_at) const {
-  const auto end = wedged::close_in({ends.feasible, ends.infeasible}, {parameters_.width, floor},
-                                    answer_at, [this] { return ended(); });
-  const double size = std::max(std::abs(end.feasible), std::abs(end.infeasible));
-  ends.wide = end.undecided &&
-              std::abs(end.infeasible - end.feasible) > std::max(close_enough * size, floor);
-  ends.feasible = end.feasible;
-  ends.infeasible = end.infeasible;
-  return ends;
+// Bisection. Undecided points divide the interval; both sides then approach them separately. Secants
+// of t*, and the points up to which multipliers exclude states, took as many programs: these have many
+// pieces near the end, and a program that is solved beyond its sign takes twice the iterations.
+BlockHold::Ends BlockHold::bisect(Ends ends, double floor,
+                                  const std::function<HoldResult(double)>& result_at) const {
+  auto [feasible, infeasible, unbounded_by_limit, wide] = ends;
+  double open_feasible = infeasible, open_infeasible = feasible;  // nearest undecided points
+  const auto narrow = [&](double from, double to) {
+    return std::abs(to - from) <=
+           std::max(parameters_.width * std::max(std::abs(from), std::abs(to)), floor);
+  };
+  bool met_open = false;
+  bool stopped = false;
+  for (int step = 0; step < max_halvings && !stopped; ++step, stopped = ended()) {
+    const bool toward_infeasible = met_open && step % 2 != 0;
+    const double from = !met_open ? feasible : toward_infeasible ? open_infeasible : feasible;
+    const double to = !met_open ? infeasible : toward_infeasible ? infeasible : open_feasible;
+    if (narrow(feasible, infeasible) ||
+        (met_open && narrow(feasible, open_feasible) && narrow(open_infeasible, infeasible)))
+      break;
+    const double middle = from + (to - from) / 2;
+    if (middle == from || middle == to) {
+      if (!met_open) break;
+      continue;
+    }
+    switch (result_at(middle)) {
+      case HoldResult::feasible:
+        feasible = middle;
+        break;
+      case HoldResult::infeasible:
+        infeasible = middle;
+        break;
+      default:
+        if (!met_open) open_feasible = open_infeasible = middle;
+        (toward_infeasible ? open_infeasible : open_feasible) = middle;
+        met_open = true;
+    }
+  }
+  wide = (met_open || stopped) &&
+         std::abs(infeasible - feasible) >
+             std::max(close_enough * std::max(std::abs(feasible), std::abs(infeasible)), floor);
+  return {feasible, infeasible, unbounded_by_limit, wide};
 }
 
 BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int direction,
@@ -93,13 +114,11 @@ BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int
     break;
   }
   if (std::isinf(infeasible)) return {feasible, infeasible};
-  const auto at_factor = [&](double factor) {
-    return answer_at(pattern, {1, factor}, mu, standard);
-  };
-  Ends ends = close_in({feasible, infeasible}, min_factor_share * scale, at_factor);
+  const auto result_at = [&](double factor) { return at(pattern, {1, factor}, mu, standard); };
+  Ends ends = bisect({feasible, infeasible}, min_factor_share * scale, result_at);
   if (std::min(ends.feasible, ends.infeasible) < 0 &&
       std::max(ends.feasible, ends.infeasible) > 0) {
-    const HoldResult result = at_factor(0).result;
+    const HoldResult result = result_at(0);
     if (result == HoldResult::feasible) ends.feasible = 0;
     if (result == HoldResult::infeasible) ends.infeasible = 0;
   }

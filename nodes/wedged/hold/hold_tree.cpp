@@ -2,8 +2,6 @@
 #include "nodes/wedged/hold/hold_tree.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -112,7 +110,6 @@ std::optional<HoldResult> HoldNodes::solve_with_cuts(const LoadedPattern& node) 
 
 HoldResult HoldNodes::solve(const LoadedPattern& node) {
   ++programs_;
-  margin_ = std::numeric_limits<double>::quiet_NaN();
   if (const auto known = solve_with_cuts(node)) return *known;
   const bool leaf = (node.contact | node.separated) == all_;
   if (scales_.empty() && node.separated == all_) {
@@ -122,8 +119,6 @@ HoldResult HoldNodes::solve(const LoadedPattern& node) {
   const auto answer = solver_.solve(node.contact, node.separated, {});
   iterations_ += static_cast<std::uint64_t>(answer.iterations);
   multipliers_ = solver_.multipliers();
-  const double margin = 0.5 * (answer.lower + answer.upper);
-  if (std::isfinite(margin)) margin_ = margin;
   if (answer.sign == conic::Sign::infeasible) return HoldResult::infeasible;
   if (answer.sign == conic::Sign::feasible)
     return leaf ? HoldResult::feasible : HoldResult::unresolved;
@@ -169,26 +164,6 @@ std::vector<double> HoldNodes::infeasible_numbers() const {
   auto numbers = mean_motion_.with_multipliers(own, solver_.unit());
   if (motions > modes) numbers.push_back(grip_unit_ * solver_.unit() * multipliers_.tail(1)[0]);
   return numbers;
-}
-
-// With w the displacements of the multipliers, w_n + mu ||w_t|| < 0 at each candidate of C.
-double HoldNodes::excluded_friction(const LoadedPattern& node) const {
-  const Eigen::Index m = all_.size();
-  const Eigen::Index d = solver_.dimension();
-  const auto& own = loaded_->problem;
-  const auto normals = Eigen::seqN(Eigen::Index{0}, m, d);
-  Eigen::VectorXd w =
-      own.compliance.matrix(Eigen::all, normals) * multipliers_.head(m) / solver_.unit();
-  const Eigen::Index modes = mean_motion_.count();
-  if (modes > 0)
-    w += own.modes.matrix * multipliers_.tail(problem_.modes.matrix.cols()).head(modes);
-  double least = std::numeric_limits<double>::infinity();
-  for (const int i : all_ - node.separated) {
-    const double slip =
-        own.friction[static_cast<std::size_t>(i)] * w.segment(d * i + 1, d - 1).norm();
-    if (slip > 0) least = std::min(least, std::max(0.0, -w[d * i] / slip));
-  }
-  return least;
 }
 
 std::array<double, 3> HoldNodes::works() const {

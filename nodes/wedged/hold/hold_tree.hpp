@@ -125,8 +125,6 @@ class HoldNodes {
   /// of other leaves; `unloaded`: t* = 0 and no load acts; `unresolved`: neither is known, or a
   /// candidate remains to be decided.
   HoldResult solve(const LoadedPattern& node);
-  /// t* of the last node, the middle of its bounds; not a number if one of them is not known.
-  [[nodiscard]] double margin() const { return margin_; }
 
   /// True if equilibrium alone proves that all reactions and loads of the last node vanish, except
   /// those in its relative interior. The multipliers are then those of this proof.
@@ -147,9 +145,6 @@ class HoldNodes {
   /// Evidence that the last node is infeasible: multipliers of the normal displacements, the mean
   /// motion of w, and the multiplier of the sum of a restriction.
   [[nodiscard]] std::vector<double> infeasible_numbers() const;
-  /// The coefficient, for the own factors of the candidates, below which the multipliers of the last
-  /// node, which is infeasible, exclude states. @pre no bounds
-  [[nodiscard]] double excluded_friction(const LoadedPattern& node) const;
   /// Evidence of the state of the last node, which is feasible: tangential reactions of U and the
   /// mean motion of the displacements, u_n being zero on U, under the load once.
   [[nodiscard]] std::vector<double> state_numbers(const LoadedPattern& pattern) const;
@@ -184,7 +179,6 @@ class HoldNodes {
   LoadedPattern limit_;
   support::IndexSet limited_to_;  // candidates and loads of the relative interior of the last node
   Eigen::VectorXd multipliers_;   // of the last node
-  double margin_ = 0;             // likewise
   std::uint64_t iterations_ = 0, programs_ = 0;
 };
 
