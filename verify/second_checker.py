@@ -673,7 +673,8 @@ class Contact(Certificate):
             numbers, rest = reader.groups([*words[1:], ""], 2)
             numbers, rest, bound = reader.reals(numbers), rest[:-1], None
             loads = list(zip(numbers[::2], numbers[1::2]))
-            reader.check(all(D in (0, 1) and (D or R) for D, R in loads) and (self.loaded or not loads), "loads, not zero")
+            reader.check(all(D in (0, 1) and (D or R) for D, R in loads) and (self.loaded or not loads),
+                         "loads, not zero")
             excepted = rest == ["except", "dead"]
             if excepted:
                 reader.check(len(loads) == 2 and loads.count((1, 0)) == 1, "the dead load and another load")
