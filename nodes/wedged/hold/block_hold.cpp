@@ -68,9 +68,9 @@ bool BlockHold::holds_zero(double mu) {
   return true;
 }
 
-// The ends of patterns are not known more closely.
-bool BlockHold::is_near_zero(double factor) const {
-  return std::abs(factor) <= parameters_.width * factor_scale();
+// A bracket about 0 that is narrow in comparison with both loads: an end there may be 0.
+bool BlockHold::may_end_at_zero(double held, double out) const {
+  return held != 0 && held * out <= 0 && std::abs(held) <= parameters_.width * factor_scale();
 }
 
 // True if the state at 0 is one of this pattern, too, once a rigid-body motion closes the gaps of
@@ -99,8 +99,9 @@ void BlockHold::join_zero(HeldFactors& found) const {
     out = support::Bound{same ? 0 : std::nextafter(0, away), Standing::proved};
   };
   for (auto& each : found.intervals) {
-    if (each.low > 0 && is_near_zero(each.low)) join(each, each.low, each.low_out, -unbounded_end);
-    if (each.high < 0 && is_near_zero(each.high))
+    if (each.low > 0 && may_end_at_zero(each.low, each.low_out.value))
+      join(each, each.low, each.low_out, -unbounded_end);
+    if (each.high < 0 && may_end_at_zero(each.high, each.high_out.value))
       join(each, each.high, each.high_out, unbounded_end);
     joined = joined || (each.low <= 0 && each.high >= 0);
   }
@@ -151,12 +152,12 @@ void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard s
   const HeldInterval held = interval(leaf.pattern, from, mu, standard);
   // The range beyond an end near 0 is searched by itself.
   const auto is_open = [&](const support::Bound& out, double own) {
-    return !out.proved() && !(is_near_zero(own) && holds_zero(mu));
+    return !out.proved() && !(may_end_at_zero(own, out.value) && holds_zero(mu));
   };
   found.unresolved =
       found.unresolved || is_open(held.high_out, held.high) || is_open(held.low_out, held.low);
   const auto end = [&](double out, double own) {
-    if (is_near_zero(own) && holds_zero(mu)) return 0.0;
+    if (may_end_at_zero(own, out) && holds_zero(mu)) return 0.0;
     return std::isfinite(out) ? out : own;
   };
   const double below = end(held.low_out.value, held.low);
@@ -178,7 +179,7 @@ bool BlockHold::take_limits(std::span<const LoadedLeaf> limits, double low, doub
   const auto shares = range_of(low, high);
   for (const auto& leaf : limits) {
     const double factor = factor_in(leaf, shares);
-    if (zero_ && is_near_zero(factor)) continue;
+    if (zero_ && std::abs(factor) <= min_factor_share * factor_scale()) continue;
     if (std::isfinite(factor)) {
       take(leaf, low, high, Standard::computed, found, unknown, mu);
       if (unknown.empty() || !(unknown.back() == FactorRange{low, high, true})) return true;

@@ -19,6 +19,8 @@ class BlockHold {
   /// A bracket of the coefficient that is not divided by trees, and of a load factor that counts as
   /// decided, relative: a hundred times that of a leaf.
   static constexpr double close_enough = 1e-7;
+  /// Load factors below this share of the ratio of both loads are zero to all digits of either.
+  static constexpr double min_factor_share = 1e-12;
 
   /// @pre arguments outlive this object  @param recorded true: for record()
   BlockHold(engine::Analysis& analysis, const LoadedProblem& block,
@@ -89,7 +91,7 @@ class BlockHold {
                      bool except_zero = false);
   // True if the dead load alone is held: its interval is then zero_.
   bool holds_zero(double mu);
-  [[nodiscard]] bool is_near_zero(double factor) const;
+  [[nodiscard]] bool may_end_at_zero(double held, double out) const;
   void join_zero(HeldFactors& found) const;
   [[nodiscard]] bool touches_with(const LoadedPattern& pattern) const;
   /// Conclusions that count: proved ones only, or also computed ones (relative interior at t* = 0).

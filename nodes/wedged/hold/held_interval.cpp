@@ -12,9 +12,6 @@ namespace {
 /// Doublings of a load factor before its range counts as unbounded.
 constexpr int max_doublings = 60;
 
-/// Load factors below this share of the ratio of both loads are zero to all digits of either.
-constexpr double min_factor_share = 1e-12;
-
 }  // namespace
 
 HoldResult BlockHold::at(const LoadedPattern& pattern, LoadShare share, double mu,
