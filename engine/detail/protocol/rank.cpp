@@ -76,10 +76,11 @@ Pace Rank::step() {
   }
   // A rank at the node limit waits for the reduction that ends the search; without this, a rank
   // that joins late would let the others finish the tree.
-  if (phase_ == Phase::searching && local_.has_nodes() && !at_node_limit()) {
-    const auto left = options_.limits.nodes - local_.statistics().opened - local_.before().opened;
-    local_.open_nodes(static_cast<unsigned>(std::min<std::uint64_t>(stride_, left)));
-    worked_ = true;
+  if (phase_ == Phase::searching && local_.has_nodes()) {
+    if (const auto left = nodes_left(); left > 0) {
+      local_.open_nodes(static_cast<unsigned>(std::min<std::uint64_t>(stride_, left)));
+      worked_ = true;
+    }
   }
   return pace();
 }

@@ -164,7 +164,9 @@ class Rank {
 
   void attend_reduction();
   void join();
-  [[nodiscard]] bool at_node_limit() const;  // counts the nodes opened by this rank only
+  // Nodes up to the limit, counting those that this rank opened only, in earlier runs, too.
+  [[nodiscard]] std::uint64_t nodes_left() const;
+  [[nodiscard]] bool at_node_limit() const { return nodes_left() == 0; }
 
   // Requests of this rank to all ranks. Only the clock of rank 0 counts.
   std::uint64_t request_flags();

@@ -48,8 +48,11 @@ void Rank::attend_reduction() {
   if (quiet() || due) join();
 }
 
-bool Rank::at_node_limit() const {
-  return local_.statistics().opened + local_.before().opened >= options_.limits.nodes;
+std::uint64_t Rank::nodes_left() const {
+  const auto limit = options_.limits.nodes;
+  if (limit == std::numeric_limits<std::uint64_t>::max()) return limit;  // in every step
+  const auto opened = local_.statistics().opened + local_.before().opened;
+  return limit - std::min(limit, opened);
 }
 
 void Rank::join() {
