@@ -455,7 +455,7 @@ class Block:
 
     def closes_gaps(self, contact, touching):
         """Whether motions that leave the normal displacements of a contact set zero close the gaps of all others."""
-        if touching != self.set or contact & ~touching:
+        if not self.q or touching != self.set or contact & ~touching:
             return False
         sets = [[k for k, i in enumerate(self.candidates) if each >> i & 1] for each in (contact, touching)]
         free, left = (len(null_space([self.G[k * self.d] for k in each], self.q)) for each in sets)

@@ -13,7 +13,7 @@ import sys
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 from kusabi_case import (  # noqa: E402: beside the folder of this file
     EXAMPLES, SOURCES, KusabiCase, counted, main, moved, sealed, with_ends, without_digest)
-from hold_test import BELOW_CEILING, BOX, HEAD, LOAD, SOLID  # noqa: E402: beside this file
+from hold_test import BELOW_CEILING, BLOCK, BOX, HEAD, LOAD, SOLID  # noqa: E402: beside this file
 
 LADDER = EXAMPLES / "ladder.toml"
 PEG = EXAMPLES / "peg-under-load.toml"
@@ -226,6 +226,28 @@ class HoldCertificate(KusabiCase):
             forged.write_text(sealed(other))
             run, said = self.verified(forged, place)
             self.assertIn(run.returncode, (1, 2), f"{pattern}: {said}")
+
+    def test_all_loads_do_work_on_the_same_motion(self):
+        # A square on one corner. Each load turns it; together they are a weight above that corner, which is held. The
+        # forged node moves it straight down: the couple does no work there, the sum does. The condensed forces of each
+        # load alone differ from this by the work on the turn, which nothing resists.
+        loads = {"couple": ([0, -2], [0, 2]), "rest": ([0, 1], [0, -2])}
+        corner = BLOCK.replace('"block.0,0", "block.1,0"', '"block.0,0"')
+        for dead, reference, exception in (("couple", "rest", " except dead"), ("rest", "couple", "")):
+            text = corner
+            for kind, name in (("dead", dead), ("reference", reference)):
+                for node, force in zip(('"block.0,1"', '"block.1,1"'), loads[name]):
+                    text += LOAD.format(node, force).replace("dead", kind)
+            place = self.problem(text)
+            lines = without_digest(self.written(place, "--mu", "0.5")).splitlines()
+            start = next(k for k, line in enumerate(lines) if line.startswith("theorems"))
+            cone = "none 1 2 0x1p+0 0x0p+0 0x0p+0 0x1p+0" + exception
+            forged = self.folder / "forged"
+            forged.write_text(sealed("\n".join(lines[:start] + ["theorems 1", cone]) + "\nbounds 0\nevidence\n"
+                                     "infeasible 1 0 0 0x0p+0 -0x1p+0 0x0p+0\nend 1\n"))
+            run, said = self.verified(forged, place)
+            self.assertEqual(run.returncode, 1, said)
+            self.assertTrue(said.endswith("NOT PROVED"), said)
 
     def test_statics_alone_excludes_all_factors_but_one(self):
         # A post that stands on one point, its weight above it: any part of the reference load makes it fall over.

@@ -126,10 +126,17 @@ std::optional<std::string> InfeasibilityProof::refusal_of_rigid_motion(
   std::erase_if(rest.loads, may_act);
   if (rest.loads.empty()) return "no load is left that would have to act";
   const DyadicList zero(std::vector<Dyadic>(d * sizes.size()));
-  const auto w =
-      restricted_to_candidates(block_.motions, model_.missing_motion(mean, zero, at_rest.basis()));
+  const auto motion = model_.missing_motion(mean, zero, at_rest.basis());
+  const auto w = restricted_to_candidates(block_.motions, motion);
+  // Work of all loads on the same motion of the bodies: condensed forces differ from these by the work
+  // on modes that displace no candidate, which vanishes for the loads of a state together only.
+  std::vector<Dyadic> works;
+  for (const auto& load : rest.loads) {
+    const double work = rounded_up(dot(load.work, motion));
+    if (!std::isfinite(work)) return "its numbers are too large to compute with";
+    works.emplace_back(work);
+  }
   const InfeasibilityProof proof(model_, bounds_, std::move(rest));
-  const auto works = proof.works_above(w.values, w.error, std::vector<Dyadic>(sizes.size()), {});
   return proof.check_margins(w.values, w.error, {}, works);
 }
 
