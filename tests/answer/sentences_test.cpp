@@ -163,8 +163,8 @@ Command hold() {
 
 HoldingFactors factors(double low, double high) {
   HoldingFactors found{.friction = 0.4, .outside = Standing::proved};
-  found.intervals = {HoldingFactors::Interval::from(
-      Standing::proved, proved(low - 1e-8, low), proved(high, high + 1e-8))};
+  found.intervals = {HoldingFactors::Interval::from(Standing::proved, proved(low - 1e-8, low),
+                                                    proved(high, high + 1e-8))};
   return found;
 }
 
