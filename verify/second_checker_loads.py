@@ -275,12 +275,12 @@ class Limit(Truss):
             text += (", an upper value: no lower bound at residual strength is proved" if lower is None else
                      ", while no strut falls below its residual strength")
         if below is not None and below > upper:
-            text += ("; no load factor is carried under every admissible load: the least factor of one is "
-                     f"{rounded(below, -1)} or more")
+            text += ("; there is no load factor that is carried under every admissible load: the least factor of one "
+                     f"is {rounded(below, -1)} or more")
         elif None not in (below, least, lower) and -least <= lower:
             low, high = inside(-least, lower)
             text += f"; every load factor from {low} to {high} is carried under every admissible load"
-            text += f"; no factor below {rounded(below, -1)} is carried"
+            text += f", and some admissible load is carried at no factor below {rounded(below, -1)}"
         return text
 
 

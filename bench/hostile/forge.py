@@ -123,10 +123,13 @@ class Truth(hold.Loaded):
                 | {j: dead * self.motions[last][k] + reference * self.motions[last + 1][k] for j, dead, reference in loads})
         for j in sums if solid else ():
             row("G", {j: 1, margin: -1}, 0)
+        if limit and limit[0] == "except":  # a part of the dead load, and of another one
+            row("G", {j: 1 for j, dead, _ in loads if dead}, 0, Fraction(1, 10 ** 6))
+            some = [load for load in loads if load[2]]
         row("LG", {j: 1 for j, *_ in some}, 0, 1)
         if limit and limit[0] in ("above", "below", "equal"):
             row({"above": "G", "below": "L", "equal": "LG"}[limit[0]], sums | {j: -Fraction(limit[1]) * dead for j, dead, _ in loads}, 0)
-        elif limit:
+        elif limit and limit[0] != "except":
             terms = {j: 1 for j, k, _ in edges if k == limit[1]} if limit[0] == "contact" else displacement(limit[1])
             row("G", {j: terms.get(j, 0) - Fraction(limit[2]) * sums.get(j, 0) for j in terms | sums}, 0)
         status, value = exact_optimum(program)
@@ -228,7 +231,7 @@ class Certificate:
             m = block.bit_count()
             line.contact &= block if line.kind != "form" else 0
             line.separated = block & ~line.contact & (-1 if line.is_state else 0 if line.kind == "form" else line.separated)
-            limited = theorem.grip != () or (self.total is not None and theorem.shares != ())
+            limited = theorem.grip[:1] in (("above",), ("below",)) or (self.total is not None and theorem.shares != ())
             size = {"infeasible": m + modes + limited, "cut": 2 * m + modes, "never": 2 * m + modes, "bound": 2 * m + modes + 1, "marginal": 0,
                     "form": (2 + (modes > 0)) * m * m + m}.get(line.kind, line.contact.bit_count() + modes)
             line.numbers = (line.numbers + [0.0] * size)[:size]
@@ -269,7 +272,7 @@ class Forger:
 
     def number(self):
         """A load factor or sum of some certificate, or near it."""
-        found = [x for item in [*self.lines, *(each for donor in self.donors for each in donor.theorems)] for x in [*(r for _, r in item.shares), *item.grip[1:]]]
+        found = [x for item in [*self.lines, *(each for donor in self.donors for each in donor.theorems)] for x in [*(r for _, r in item.shares), *item.grip[1:]] if x != "dead"]
         return self.rng.choice([*found, 0.0, 1.0, self.rng.uniform(-3, 3)]) * self.rng.choice((1.0, 1.0, 1.0, -1.0, 1 + 1e-9, 1 - 1e-9, 1.1, 0.9, 2.0))
 
     def share(self):
@@ -286,7 +289,7 @@ class Forger:
                 "owner": lambda: self.rng.randint(1, 1 + len(self.own.theorems)), "contact": lambda: old ^ self.candidate(),
                 "separated": lambda: self.rng.choice((old, item.contact)) ^ self.candidate(), "candidate": lambda: self.rng.randrange(len(self.own.names)),
                 "shares": lambda: self.rng.choice((old[:1], old[1:], (*old[:1], self.share()), (self.share(),), (self.share(), self.share()))),
-                "grip": lambda: self.rng.choice((self.grip(), old and ({"above": "below", "below": "above"}[old[0]], old[1]))),
+                "grip": lambda: self.rng.choice((self.grip(), old and old[0] != "except" and ({"above": "below", "below": "above"}[old[0]], old[1]))),
                 "side": lambda: self.rng.choice(("contact", "separated")), "maximum": lambda: old * self.rng.choice((0.5, 0.99, 1 - 1e-9, 1e-3)),
                 "numbers": lambda: self.rng.choice(([number * x for x in old], [float(f"{x:.4g}") for x in old], list(self.pick(self.lines).numbers),
                                                     [number * x if i == at else x for i, x in enumerate(old)]))}[name]()
