@@ -289,7 +289,7 @@ class Forger:
                 "owner": lambda: self.rng.randint(1, 1 + len(self.own.theorems)), "contact": lambda: old ^ self.candidate(),
                 "separated": lambda: self.rng.choice((old, item.contact)) ^ self.candidate(), "candidate": lambda: self.rng.randrange(len(self.own.names)),
                 "shares": lambda: self.rng.choice((old[:1], old[1:], (*old[:1], self.share()), (self.share(),), (self.share(), self.share()))),
-                "grip": lambda: self.rng.choice((self.grip(), old and old[0] != "except" and ({"above": "below", "below": "above"}[old[0]], old[1]))),
+                "grip": lambda: self.rng.choice((self.grip(), ({"above": "below", "below": "above"}[old[0]], old[1]) if old[:1] in (("above",), ("below",)) else ())),
                 "side": lambda: self.rng.choice(("contact", "separated")), "maximum": lambda: old * self.rng.choice((0.5, 0.99, 1 - 1e-9, 1e-3)),
                 "numbers": lambda: self.rng.choice(([number * x for x in old], [float(f"{x:.4g}") for x in old], list(self.pick(self.lines).numbers),
                                                     [number * x if i == at else x for i, x in enumerate(old)]))}[name]()
