@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -44,6 +45,10 @@ nlohmann::ordered_json number_or_null(std::optional<double> value);
 
 /// "1 rank", "2 ranks".
 std::string counted(std::uint64_t count, std::string_view thing);
+/// The same. @pre count >= 0
+std::string counted(std::signed_integral auto count, std::string_view thing) {
+  return counted(static_cast<std::uint64_t>(count), thing);
+}
 std::string counted(const support::ExactCount& count, std::string_view thing);
 
 /// Suffix of a friction coefficient.

@@ -453,13 +453,12 @@ class Block:
         return bool(others) and all(L < 0 for L in others) and all(
             self.negative(w, k, 0) or not any(w[k * d:(k + 1) * d]) for k in may)
 
-    def closes_gaps(self, contact, touching):
+    def closes_gaps(self, contact):
         """Whether motions that leave the normal displacements of a contact set zero close the gaps of all others."""
-        if not self.q or touching != self.set or contact & ~touching:
-            return False
-        sets = [[k for k, i in enumerate(self.candidates) if each >> i & 1] for each in (contact, touching)]
-        free, left = (len(null_space([self.G[k * self.d] for k in each], self.q)) for each in sets)
-        return free - left == len(sets[1]) - len(sets[0])
+        normals = self.G[::self.d]
+        fixed = [row for row, i in zip(normals, self.candidates) if contact >> i & 1]
+        free, left = (len(null_space(rows, self.q)) for rows in (fixed, normals))
+        return bool(self.q) and free - left == self.m - len(fixed)
 
     def excludes_near(self, separated, y, a, add, loads):
         """Infeasible node, except for large displacements: y is in equilibrium up to h = G (G'G)^-1 G'y, whose work is
@@ -796,9 +795,9 @@ class Contact(Certificate):
             for pattern, D, factor, _ in block.held:
                 if D or not self.total:
                     ways.setdefault(pattern, []).append((D, factor))
-            for touching in ways:  # its states are also those of others whose gaps a motion closes
-                for pattern in [p for p in ways if p != touching and block.closes_gaps(p, touching)]:
-                    ways[touching] = ways[touching] + [load for load in ways[pattern] if load[0]]
+            if block.set in ways:  # the states whose gaps a motion closes are also those of all contacts
+                ways[block.set] += [load for pattern in ways if pattern != block.set and block.closes_gaps(pattern)
+                                    for load in ways[pattern] if load[0]]
             own = [factors(loads, *block.acts) for loads in ways.values()]
             out = [ends for t in mine if not t.bound for ends in excluded(t.loads, t.excepted, *block.acts)]
             if not self.total and (block.solid or not block.q or not any(block.acts)):

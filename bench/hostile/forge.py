@@ -7,7 +7,6 @@ The sentences of `kusabi verify` and of verify/second_checker.py, and every line
 compared with the states of all sign patterns, by linear programs in rational numbers. Prints each false statement that is accepted, each honest certificate
 that is refused, and each failure. Exit code 0: none.
 """
-import argparse
 import copy
 import hashlib
 import math
@@ -17,7 +16,6 @@ import random
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
 from collections import Counter
 from dataclasses import dataclass, field
@@ -25,6 +23,7 @@ from fractions import Fraction
 from functools import lru_cache
 
 import bodies
+import forging
 import generate_bodies
 import hold
 import verdicts
@@ -399,11 +398,7 @@ class Forger:
 
     def changes(self):
         """Names of one to three changes."""
-        names, ways = [], 3 * (self.change, self.transplant, self.add_theorem, self.change_problem) + 2 * (self.delete, self.move_node)
-        while len(names) < self.rng.choice((1, 1, 1, 2, 2, 3)):
-            way = self.rng.choice(ways)
-            found = way()
-            names += [] if found is False else [way.__name__ + (f" ({found})" if found else "")]
+        names = forging.changed(self.rng, 3 * (self.change, self.transplant, self.add_theorem, self.change_problem) + 2 * (self.delete, self.move_node))
         self.own.fit()
         return names
 
@@ -518,12 +513,7 @@ def honest(kusabi, toml, rng):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--kusabi", default="build/kusabi", help="the command under test")
-    parser.add_argument("--seed", default="1")
-    parser.add_argument("--count", type=int, default=2000, help="number of forgeries")
-    parser.add_argument("--found", type=pathlib.Path, default=pathlib.Path("wrong"), help="folder for what is wrong")
-    asked = parser.parse_args()
+    asked = forging.command_line(__doc__, 2000)
     outcomes, changes, proved, foreign = Counter(), Counter(), Counter(), []
     index, left, checked, differences = -1, asked.count, 0, 0
     with tempfile.TemporaryDirectory() as folder:
@@ -554,9 +544,7 @@ def main():
                     shutil.copy(toml, name + ".toml")
                     print(*(f"{name} ({', '.join(names) or calls[number]}): {line}" for line in wrong), sep="\n", flush=True)
             foreign = [*foreign, *donors][-30:]
-    print(f"{asked.count} forgeries, {checked} statements compared, {differences} wrong: " + ", ".join(f"{n} {key}" for key, n in sorted(outcomes.items())))
-    print(", ".join(f"{key} {n} ({proved[key]} proved)" for key, n in sorted(changes.items())))
-    sys.exit(1 if differences else 0)
+    forging.conclude(asked.count, checked, differences, outcomes, changes, proved)
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import forge_losses
+import forging
 from forge_losses import NEAR, ends_of, number_of, words_of
 
 
@@ -290,11 +291,7 @@ class Forger(forge_losses.Forger):
 
     def changes(self):
         """Names of one to three changes."""
-        names, ways = [], (*3 * (self.node, self.node, self.cut, self.collapse, self.of_claim), self.problem, self.problem)
-        while len(names) < self.rng.choice((1, 1, 1, 2, 2, 3)):
-            way = self.rng.choice(ways)
-            found = way()
-            names += [] if found is False else [way.__name__ + (f" ({found})" if found else "")]
+        names = forging.changed(self.rng, (*3 * (self.node, self.node, self.cut, self.collapse, self.of_claim), self.problem, self.problem))
         self.own.fit()
         return names
 

@@ -8,7 +8,6 @@ the factors that a simplex method finds for each loss and each corner of the loa
 doubles disagree. Prints each false sentence, each honest certificate that is refused, and each failure; sentences of
 both that differ are counted. Exit code 0: none.
 """
-import argparse
 import copy
 import hashlib
 import itertools
@@ -18,13 +17,13 @@ import pathlib
 import random
 import re
 import subprocess
-import sys
 import tempfile
 from collections import Counter
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache
 
+import forging
 import trusses
 import verdicts
 
@@ -464,11 +463,7 @@ class Forger:
 
     def changes(self):
         """Names of one to three changes."""
-        names, ways = [], 3 * (self.raise_lower, self.state, self.state, self.other_loss) + 2 * (self.losses, self.collapse) + (self.of_case, self.problem)
-        while len(names) < self.rng.choice((1, 1, 1, 2, 2, 3)):
-            way = self.rng.choice(ways)
-            found = way()
-            names += [] if found is False else [way.__name__ + (f" ({found})" if found else "")]
+        names = forging.changed(self.rng, 3 * (self.raise_lower, self.state, self.state, self.other_loss) + 2 * (self.losses, self.collapse) + (self.of_case, self.problem))
         self.own.fit()
         return names
 
@@ -565,12 +560,7 @@ def campaign(about, honest, is_preferred, forger, judge_of):
 
     @param about its docstring @param honest certificates of a problem by call @param is_preferred those that are forged
            more often @param forger class of the changes @param judge_of of the sentences about a certificate"""
-    parser = argparse.ArgumentParser(description=about.splitlines()[0])
-    parser.add_argument("--kusabi", default="build/kusabi", help="the command under test")
-    parser.add_argument("--seed", default="1")
-    parser.add_argument("--count", type=int, default=1000, help="number of forgeries")
-    parser.add_argument("--found", type=pathlib.Path, default=pathlib.Path("wrong"), help="folder for the files of failures")
-    asked = parser.parse_args()
+    asked = forging.command_line(about, 1000)
     kusabi = pathlib.Path(asked.kusabi).resolve()
     outcomes, changes, proved, foreign = Counter(), Counter(), Counter(), []
     index, left, compared, differences = -1, asked.count, 0, 0
@@ -611,9 +601,7 @@ def campaign(about, honest, is_preferred, forger, judge_of):
                     pathlib.Path(name + ".toml").write_text(file.read_text())
                     print(*(f"{name} ({', '.join(what) or calls[number]}): {line}" for line in wrong), sep="\n", flush=True)
             foreign = [*foreign, *donors][-30:]
-    print(f"{asked.count} forgeries, {compared} statements compared, {differences} wrong: " + ", ".join(f"{n} {key}" for key, n in sorted(outcomes.items())))
-    print(", ".join(f"{key} {n} ({proved[key]} proved)" for key, n in sorted(changes.items())))
-    sys.exit(1 if differences else 0)
+    forging.conclude(asked.count, compared, differences, outcomes, changes, proved)
 
 
 if __name__ == "__main__":

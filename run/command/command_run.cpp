@@ -207,8 +207,7 @@ std::string CommandRun::input() const {
 }
 
 void CommandRun::announce() {
-  const auto line =
-      command_.announcement(answer::counted(static_cast<std::uint64_t>(session_.ranks()), "rank"));
+  const auto line = command_.announcement(answer::counted(session_.ranks(), "rank"));
   if (line.empty()) return;
   auto text = fmt::format("kusabi {} · {} · {}\n{}\n", KUSABI_VERSION, name_, input(), line);
   if (!defaults_.taken.empty()) text += defaults_text() + '\n';

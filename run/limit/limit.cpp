@@ -361,15 +361,13 @@ void Limit::prepare(CommandRun& run) {
 
 std::string Limit::announcement(const std::string& ranks) const {
   const auto& problem = cases_.front().problem;
-  const auto counted = [](int count, const char* thing) {
-    return answer::counted(static_cast<std::uint64_t>(count), thing);
-  };
-  return fmt::format(
-      "{}: {}, {}, {}, {}{}; {}", problem.name,
-      problem.dimension == 2 ? "in the plane" : "in space",
-      answer::counted(problem.node_names.size(), "node"), counted(problem.member_count(), "member"),
-      counted(problem.free_count(), "free displacement"),
-      cases_.size() == 1 ? "" : fmt::format(", {} load cases", cases_.size()), ranks);
+  return fmt::format("{}: {}, {}, {}, {}{}; {}", problem.name,
+                     problem.dimension == 2 ? "in the plane" : "in space",
+                     answer::counted(problem.node_names.size(), "node"),
+                     answer::counted(problem.member_count(), "member"),
+                     answer::counted(problem.free_count(), "free displacement"),
+                     cases_.size() == 1 ? "" : fmt::format(", {} load cases", cases_.size()),
+                     ranks);
 }
 
 void Limit::search(CommandRun& run) {

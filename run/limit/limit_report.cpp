@@ -89,10 +89,8 @@ std::string heading_of_worst(const LimitReport& report) {
       alpha ? fmt::format("alpha = {}{}{}", *alpha, unit ? " " : "", unit.value_or(""))
             : std::string("each within its own half-width");
   if (alpha == 0) return "no load is uncertain: " + half_width;
-  return fmt::format(
-      "worst case of {}, {}",
-      answer::counted(static_cast<std::uint64_t>(problem.uncertain_count()), "uncertain load"),
-      half_width);
+  return fmt::format("worst case of {}, {}",
+                     answer::counted(problem.uncertain_count(), "uncertain load"), half_width);
 }
 
 // Number of uncertain loads, or of actions, that change the reference load.
@@ -102,11 +100,11 @@ void write_along(std::string& text, const LimitReport& report) {
   const auto along = std::ranges::count_if(
       problem.uncertain, [&](const auto& column) { return works_with_reference(problem, column); });
   if (along == 0) return;
-  fmt::format_to(std::back_inserter(text),
-                 "  {} {} along the reference load; the load factor does not include {}\n",
-                 answer::counted(static_cast<std::uint64_t>(along),
-                                 report.truss.actions.empty() ? "uncertain load" : "other action"),
-                 along == 1 ? "acts" : "act", along == 1 ? "it" : "them");
+  fmt::format_to(
+      std::back_inserter(text),
+      "  {} {} along the reference load; the load factor does not include {}\n",
+      answer::counted(along, report.truss.actions.empty() ? "uncertain load" : "other action"),
+      along == 1 ? "acts" : "act", along == 1 ? "it" : "them");
 }
 
 // Load factors carried under all loads, and the load at their lower end if zero is not among them.

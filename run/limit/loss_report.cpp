@@ -157,8 +157,7 @@ const char* loss_state(LoadStatus status) {
 std::string loss_text(const LimitProblem& problem, const problems::Structure& truss,
                       const LossAnswer& loss) {
   std::string text = fmt::format(
-      "\nloss of up to {} of {}{}{}\n", loss.maximum,
-      answer::counted(static_cast<std::uint64_t>(loss.eligible), "member"),
+      "\nloss of up to {} of {}{}{}\n", loss.maximum, answer::counted(loss.eligible, "member"),
       loss.uncertain ? ", under every admissible load" : "",
       loss.sudden == 1 ? std::string() : fmt::format(", dynamic factor {}", loss.sudden));
   write_ends(text, truss, loss);

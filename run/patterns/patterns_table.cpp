@@ -141,8 +141,7 @@ std::string PatternsReport::groups() const {
   text += fmt::format(
       "       {} of patterns with steps of at most {}; margin and number are those of the member "
       "with the largest margin\n",
-      answer::counted(all, "group"),
-      answer::counted(static_cast<std::uint64_t>(options_.group), "candidate"));
+      answer::counted(all, "group"), answer::counted(options_.group, "candidate"));
   return text;
 }
 
@@ -172,7 +171,7 @@ std::string PatternsReport::overview() const {
              "{} in {}: members differ from that with the largest margin in at most {}. --group 0 "
              "lists all, --sort margin --top 10 the largest margins; files contain all\n",
              answer::counted(leaves.size(), "pattern"), answer::counted(groups->size(), "group"),
-             answer::counted(static_cast<std::uint64_t>(apart), "candidate"));
+             answer::counted(apart, "candidate"));
 }
 
 // Candidates of Algorithm 5.8: Y_1, ..., Y_k, with the result of (23) for each.

@@ -47,13 +47,12 @@ std::string problem_page(const ResultReader& problem, const std::string& summary
   add_list(page, "warnings", warnings);
   page.close().open("main").open("section", {{"id", "leading"}, {"class", "beside"}});
   open_figure(page, turning_data(scene));
-  page.verbatim(inline_svg(
-      {"structure", "The structure",
-       fmt::format("{}, {}",
-                   answer::counted(static_cast<std::uint64_t>(scene.positions.cols()), "node"),
-                   answer::counted(scene.candidates.size(), "contact candidate")),
-       true},
-      scene));
+  page.verbatim(
+      inline_svg({"structure", "The structure",
+                  fmt::format("{}, {}", answer::counted(scene.positions.cols(), "node"),
+                              answer::counted(scene.candidates.size(), "contact candidate")),
+                  true},
+                 scene));
   page.close().open("div");
   page.element("pre", summary);
   page.verbatim(

@@ -78,13 +78,11 @@ class LoadSweep final : public Swept {
     run.keep_state(options_.checkpoint, {{"the problem", hexadecimal(problem_.fingerprint)}});
   }
   [[nodiscard]] std::string announcement(const std::string& ranks) const override {
-    const auto counted = [](int count, const char* thing) {
-      return answer::counted(static_cast<std::uint64_t>(count), thing);
-    };
     return fmt::format("{}: {}, {}, {}, alpha up to {}{}; {}", problem_.name,
                        problem_.dimension == 2 ? "in the plane" : "in space",
-                       counted(problem_.member_count(), "member"),
-                       counted(problem_.uncertain_count(), "uncertain load"), options_.alpha.back(),
+                       answer::counted(problem_.member_count(), "member"),
+                       answer::counted(problem_.uncertain_count(), "uncertain load"),
+                       options_.alpha.back(),
                        problems::alpha_is_force(problem_) ? ' ' + problem_.units.force : "", ranks);
   }
   void search(CommandRun& run) override {

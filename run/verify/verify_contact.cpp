@@ -220,11 +220,11 @@ std::string covers(const verify::Certificate& certificate) {
     const auto& block = certificate.blocks[b];
     const auto nodes = std::ranges::count(certificate.nodes, t, &verify::Node::theorem) +
                        std::ranges::count(certificate.states, b, &verify::State::block);
-    text += fmt::format("{}{} {} all {} sign patterns{}, each once\n",
-                        several ? fmt::format("block {}: ", b + 1) : "",
-                        answer::counted(static_cast<std::uint64_t>(nodes), "node"),
-                        nodes == 1 ? "covers" : "cover", all_patterns(block.size()),
-                        several ? " of " + certificate.names_of(block) : "");
+    text +=
+        fmt::format("{}{} {} all {} sign patterns{}, each once\n",
+                    several ? fmt::format("block {}: ", b + 1) : "", answer::counted(nodes, "node"),
+                    nodes == 1 ? "covers" : "cover", all_patterns(block.size()),
+                    several ? " of " + certificate.names_of(block) : "");
   }
   return text;
 }

@@ -51,14 +51,11 @@ ordered_json rigid_motions_json(const problems::WedgedProblem& problem) {
 }  // namespace
 
 std::string problem_line(const problems::WedgedProblem& problem) {
-  const auto number_of = [](int number, const char* noun) {
-    return answer::counted(static_cast<std::uint64_t>(number), noun);
-  };
-  auto sizes = number_of(problem.provenance.nodes, "node");
+  auto sizes = answer::counted(problem.provenance.nodes, "node");
   if (problem.provenance.members > 0)
-    sizes += ", " + number_of(problem.provenance.members, "member");
+    sizes += ", " + answer::counted(problem.provenance.members, "member");
   if (problem.provenance.elements > 0)
-    sizes += ", " + number_of(problem.provenance.elements, "element");
+    sizes += ", " + answer::counted(problem.provenance.elements, "element");
   auto line = fmt::format("{}: {}, {}, {}", problem.provenance.name,
                           problem.dimension == 2 ? "in the plane" : "in space", sizes,
                           answer::counted(problem.contact_names.size(), "contact candidate"));

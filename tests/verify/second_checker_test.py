@@ -18,25 +18,17 @@ import subprocess
 import sys
 import unittest
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
-from kusabi_case import (  # noqa: E402: beside the folder of this file
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path += [str(ROOT / "tests"), str(ROOT / "bench" / "hostile")]
+from kusabi_case import (  # noqa: E402: in tests
     EXAMPLES, SOURCES, KusabiCase, counted, main, sealed, without_digest)
+from verdicts import NUMBER, SAME_NUMBERS, conclusion  # noqa: E402: in bench/hostile
 
 CASES = SOURCES / "tests" / "cases"
 FORGED = SOURCES / "tests" / "verify" / "certificates"
 CHECKER = SOURCES / "verify" / "second_checker.py"
 LADDER = EXAMPLES / "ladder.toml"
 BRIDGE = EXAMPLES / "truss-bridge.toml"
-NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
-#: Relative difference of the numbers of both sentences, which have twelve digits: two units of the last one.
-SAME_NUMBERS = 2e-11
-
-
-def conclusion(text):
-    """The sentence of a verdict, on one line, without what `kusabi verify` adds about claims that are not made."""
-    last = re.split(r"\n[ \t]*\n", text.strip())[-1]
-    found = re.search(r"(NOT |NOTHING )?PROVED.*", " ".join(last.split()))
-    return re.sub(r"\.? *The certificate claims nothing.*", "", found[0]) if found else ""
 
 
 class SecondChecker(KusabiCase):

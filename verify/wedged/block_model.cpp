@@ -249,14 +249,14 @@ std::vector<double> BlockModel::displacements_by(const std::vector<double>& moti
   return displacements;
 }
 
-bool BlockModel::moves_freely(const IndexSet& at_rest, const IndexSet& others) const {
+bool BlockModel::closes_gaps(const IndexSet& contact) const {
   Elimination free(motions());
-  const auto normal = [&](int i) -> const Rationals& {
-    return block_.motions.rows[block_.dimension * static_cast<std::size_t>(i)];
+  const auto fix = [&](int i) {
+    return free.add_equation(block_.motions.rows[block_.dimension * static_cast<std::size_t>(i)]);
   };
-  for (const int i : at_rest) free.add_equation(normal(i));
-  return std::all_of(others.begin(), others.end(),
-                     [&](int i) { return free.add_equation(normal(i)); });
+  for (const int i : contact) fix(i);
+  const auto others = IndexSet::below(static_cast<int>(candidates())) - contact;
+  return std::all_of(others.begin(), others.end(), fix);
 }
 
 bool BlockModel::resists_all_motions(const IndexSet& contact) const {

@@ -111,10 +111,9 @@ class BlockModel {
   /// wedged configuration with these in contact holds every load.
   [[nodiscard]] bool resists_all_motions(const support::IndexSet& contact) const;
 
-  /// True if rigid-body motions that leave the normal displacements of some candidates zero give
-  /// those of others any values.
-  [[nodiscard]] bool moves_freely(const support::IndexSet& at_rest,
-                                  const support::IndexSet& others) const;
+  /// True if rigid-body motions that leave the normal displacements of U zero give those of all
+  /// other candidates any values.
+  [[nodiscard]] bool closes_gaps(const support::IndexSet& contact) const;
 
  private:
   ContactBlock block_;

@@ -39,11 +39,9 @@ class BlockProof {
                                              const std::optional<GripTerm>& grip = {},
                                              bool except_dead = false) const;
 
-  /// True if rigid-body motions of the block that leave the normal displacements of some candidates
-  /// zero give those of others any values.
-  [[nodiscard]] bool moves_freely(const support::IndexSet& at_rest,
-                                  const support::IndexSet& others) const {
-    return model_.moves_freely(at_rest, others);
+  /// See BlockModel::closes_gaps().
+  [[nodiscard]] bool closes_gaps(const support::IndexSet& contact) const {
+    return model_.closes_gaps(contact);
   }
 
   /// The same without loads, with the cuts of all added bounds.

@@ -142,17 +142,12 @@ std::vector<FactorRange> Conclusions::held_by(std::size_t block) const {
     place->second.high = std::max(place->second.high, reference);
   }
   if (!dead_matters_here) all.push_back({0, 0});
-  // A state of another pattern is one of this pattern, too, if its gaps can be closed.
-  for (std::size_t k = 0; k < certificate_.states.size(); ++k) {
-    const auto& state = certificate_.states[k];
-    if (state.block != block || !proved_.states[k] || !state.share) continue;
-    const auto known = points.find(Pattern(state.contact, state.separated));
-    if (known == points.end()) continue;
-    for (auto& [pattern, range] : points) {
-      if (pattern == known->first || !proof_.closes_gaps(state, pattern.first)) continue;
-      range.low = std::min(range.low, known->second.low);
-      range.high = std::max(range.high, known->second.high);
-    }
+  // States whose gaps can be closed are also states of the pattern in which all candidates touch.
+  const auto touching = points.find(Pattern(certificate_.blocks[block], {}));
+  for (const auto& [pattern, range] : points) {
+    if (touching == points.end() || !proof_.closes_gaps(block, pattern.first)) continue;
+    touching->second.low = std::min(touching->second.low, range.low);
+    touching->second.high = std::max(touching->second.high, range.high);
   }
   for (const auto& [pattern, range] : points) all.push_back(range);
   for (const auto& [pattern, way] : directions) {

@@ -128,8 +128,8 @@ std::optional<std::string> InfeasibilityProof::refusal_of_rigid_motion(
   const DyadicList zero(std::vector<Dyadic>(d * sizes.size()));
   const auto motion = model_.missing_motion(mean, zero, at_rest.basis());
   const auto w = restricted_to_candidates(block_.motions, motion);
-  // Work of all loads on the same motion of the bodies: condensed forces differ from these by the work
-  // on modes that displace no candidate, which vanishes for the loads of a state together only.
+  // The work of the loads themselves: that of the condensed forces differs by the work on modes that
+  // displace no candidate, which only the sum of the loads of a state need not do.
   std::vector<Dyadic> works;
   for (const auto& load : rest.loads) {
     const double work = rounded_up(dot(load.work, motion));

@@ -36,16 +36,16 @@ std::optional<GripBound> read_grip(Lines& lines) {
   return grip;
 }
 
-// 'except dead', of a cone with the dead load at its border, so that the factors of the others are
-// one range.
-void read_exception(Lines& lines, Theorem& theorem) {
+// True for 'except dead', of a cone with the dead load at its border, so that the factors of the
+// others are one range.
+bool read_exception(Lines& lines, const std::vector<LoadShare>& shares) {
+  if (lines.remainder() != "except dead") return false;
   constexpr LoadShare dead{1, 0};
-  const auto& shares = theorem.shares;
   if (shares.size() != 2 || (shares[0] == dead) == (shares[1] == dead))
     lines.refuse("the dead load and another load, if the dead load alone is excepted");
-  theorem.except_dead = true;
   lines.word();
   lines.word();
+  return true;
 }
 
 Theorem read_theorem(Lines& lines, const Certificate& certificate) {
@@ -61,14 +61,13 @@ Theorem read_theorem(Lines& lines, const Certificate& certificate) {
   for (std::uint64_t j = 0; j < shares; ++j) theorem.shares.push_back(read_share(lines));
   if (theorem.about_wedged()) {
     lines.end_of_line("no sum without loads");
-  } else if (lines.remainder() == "except dead") {
-    read_exception(lines, theorem);
+    return theorem;
   }
-  if (!theorem.about_wedged() && certificate.total) {
+  theorem.except_dead = read_exception(lines, theorem.shares);
+  if (certificate.total)
     theorem.grip = GripBound{GripBound::Kind::equal, *certificate.total};
-  } else if (!theorem.about_wedged() && !theorem.except_dead) {
-    theorem.grip = read_grip(lines);
-  }
+  else
+    theorem.grip = read_grip(lines);  // none is left after an exception
   lines.end_of_line("no further word");
   return theorem;
 }

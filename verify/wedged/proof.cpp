@@ -206,11 +206,8 @@ std::optional<std::string> Proof::refusal(const State& state, Grip* grip) const 
   return proof.refusal_of_held_state(contact, *state.share, state.numbers, grip);
 }
 
-bool Proof::closes_gaps(const State& state, const IndexSet& contact) const {
-  const auto& block = certificate_.blocks[state.block];
-  if (contact != block || !contact.includes(state.contact)) return false;
-  return blocks_[state.block].moves_freely(within(block, state.contact),
-                                           within(block, contact - state.contact));
+bool Proof::closes_gaps(std::size_t block, const IndexSet& contact) const {
+  return blocks_[block].closes_gaps(within(certificate_.blocks[block], contact));
 }
 
 bool Proof::holds_every_load(const State& state) const {

@@ -53,9 +53,9 @@ class Proof {
   /// that it holds every load. @pre the state is proved
   [[nodiscard]] bool holds_every_load(const State& state) const;
 
-  /// True if rigid-body motions of the block close all gaps of a state exactly, without a change of
-  /// its reactions, so that every candidate of `contact`, all of the block, touches.
-  [[nodiscard]] bool closes_gaps(const State& state, const support::IndexSet& contact) const;
+  /// True if a rigid-body motion closes all gaps of any state of a block with these contacts exactly,
+  /// without a change of its reactions, so that every candidate of the block touches.
+  [[nodiscard]] bool closes_gaps(std::size_t block, const support::IndexSet& contact) const;
 
   /// Actions on a block, by the connections of the structure.
   struct Actions {

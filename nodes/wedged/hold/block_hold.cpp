@@ -58,14 +58,20 @@ HoldOutcome BlockHold::search(std::span<const LoadShare> shares, double mu, doub
 bool BlockHold::holds_zero(double mu) {
   if (std::exchange(zero_searched_, true)) return zero_.has_value();
   const auto outcome = search(std::array{LoadShare{1, 0}}, mu, 0, 0);
+  if (outcome.status == engine::Status::solved) zero_ = state_of_dead(outcome, 0, 0);
+  return zero_.has_value();
+}
+
+// The interval of the factors that a tree of the dead load alone decides; nothing if it has no state.
+std::optional<HeldInterval> BlockHold::state_of_dead(const HoldOutcome& outcome, double low,
+                                                     double high) {
   const bool proved = !outcome.leaves.empty();
-  if (outcome.status != engine::Status::solved || (!proved && outcome.tally.limits.empty()))
-    return false;
-  zero_ = HeldInterval::from(0, 0, Standing::proved);
-  zero_->standing = support::proved_if(proved);
-  zero_->pattern = (proved ? outcome.leaves : outcome.tally.limits).front().pattern;
-  if (proved) pieces_.push_back({*zero_->pattern, 0, 0, 0});
-  return true;
+  if (!proved && outcome.tally.limits.empty()) return {};
+  auto held = HeldInterval::from(low, high, Standing::proved);
+  held.standing = support::proved_if(proved);
+  held.pattern = (proved ? outcome.leaves : outcome.tally.limits).front().pattern;
+  if (proved) pieces_.push_back({*held.pattern, 0, 0, 0});
+  return held;
 }
 
 // A bracket about 0 that is narrow in comparison with both loads: an end there may be 0.
@@ -196,7 +202,8 @@ void BlockHold::explore(HeldFactors& found, std::vector<FactorRange>& empty_rang
     const auto shares = range_of(low, high);
     auto outcome = search(shares, mu, low, high);
     // A state of the dead load alone, with equalities, is no state of the range beside it.
-    const bool decided = !outcome.leaves.empty() || outcome.is_infeasible();
+    const bool decided = outcome.status != engine::Status::solved || !outcome.leaves.empty() ||
+                         outcome.is_infeasible();
     const bool beside_zero = low == 0 || high == 0;
     const bool except_zero = !decided && beside_zero && holds_zero(mu);
     if (except_zero) outcome = search(shares, mu, low, high, true);
@@ -306,18 +313,14 @@ HeldFactors BlockHold::dead_alone(double mu) {
   HeldFactors found{.outside = Standing::proved};
   const auto outcome = search(std::array{LoadShare{1, 0}}, mu, 0, 0);
   found.status = outcome.status;
-  const bool at_limit = outcome.leaves.empty() && !outcome.tally.limits.empty();
-  if (outcome.leaves.empty() && !at_limit) {
+  auto all = state_of_dead(outcome, -unbounded_end, unbounded_end);
+  if (!all) {
     found.outside = support::proved_if(outcome.is_infeasible());
     found.unresolved = outcome.is_unresolved();
     return found;
   }
-  if (!at_limit) pieces_.push_back({outcome.leaves.front().pattern, 0, 0, 0});
-  auto all = HeldInterval::from(-unbounded_end, unbounded_end, Standing::proved);
-  if (at_limit) all.standing = Standing::computed;
-  all.pattern = (at_limit ? outcome.tally.limits.front() : outcome.leaves.front()).pattern;
-  all.state = state(all.pattern, 0, mu);
-  found.intervals.push_back(all);
+  all->state = state(all->pattern, 0, mu);
+  found.intervals.push_back(*all);
   return found;
 }
 

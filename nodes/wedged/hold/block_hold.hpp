@@ -91,6 +91,7 @@ class BlockHold {
                      bool except_zero = false);
   // True if the dead load alone is held: its interval is then zero_.
   bool holds_zero(double mu);
+  std::optional<HeldInterval> state_of_dead(const HoldOutcome& outcome, double low, double high);
   [[nodiscard]] bool may_end_at_zero(double held, double out) const;
   void join_zero(HeldFactors& found) const;
   [[nodiscard]] bool touches_with(const LoadedPattern& pattern) const;

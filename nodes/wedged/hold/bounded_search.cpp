@@ -10,11 +10,7 @@ namespace kusabi::wedged {
 HoldOutcome search_for_state(engine::Analysis& analysis, const LoadedProblem& block,
                              TreeEvidence& tree, const HoldParameters& parameters, bool recorded) {
   TreeEvidence* const evidence = recorded ? &tree : nullptr;
-  const auto new_tree = [&] {
-    HoldTree made(block, tree.shares, tree.mu, parameters.precision, tree.grip);
-    if (tree.except_dead) made.except_dead();
-    return made;
-  };
+  const auto new_tree = [&] { return tree_of(block, tree, parameters.precision); };
   const auto candidates = static_cast<int>(block.problem.contact_names.size());
   const bool automatic = parameters.tightening == Tightening::automatic;
   if ((recorded && !parameters.nodes_of_evidence) || parameters.tightening == Tightening::never ||

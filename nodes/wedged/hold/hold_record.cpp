@@ -43,6 +43,12 @@ LoadedPattern in_whole(const LoadedPattern& own, const support::IndexSet& candid
           problems::in_whole(own.separated, candidates)};
 }
 
+HoldTree tree_of(const LoadedProblem& block, const TreeEvidence& evidence, Precision precision) {
+  HoldTree tree(block, evidence.shares, evidence.mu, precision, evidence.grip);
+  if (evidence.except_dead) tree.except_dead();
+  return tree;
+}
+
 HoldOutcome all_leaves(engine::Analysis& analysis, HoldTree& tree) {
   return on_all_ranks(analysis, analysis.search(tree, {}));
 }
@@ -76,8 +82,7 @@ HoldOutcome first_leaf(engine::Analysis& analysis, HoldTree& tree, TreeEvidence*
 void record_tree(engine::Analysis& analysis, const RecordedBlock& block, TreeEvidence evidence,
                  HoldRecord& record) {
   if (!evidence.nodes) {
-    HoldTree tree(block.problem, evidence.shares, block.mu, block.precision, evidence.grip);
-    if (evidence.except_dead) tree.except_dead();
+    HoldTree tree = tree_of(block.problem, evidence, block.precision);
     report_nodes(tree, evidence);
     engine::Options options;
     options.goal = engine::Goal::first;

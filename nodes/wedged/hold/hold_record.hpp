@@ -63,6 +63,9 @@ struct TreeEvidence {
                                                    ///< earlier run closed some of them
 };
 
+/// The tree of these loads, coefficient and restriction, without its evidence.
+HoldTree tree_of(const LoadedProblem& block, const TreeEvidence& evidence, Precision precision);
+
 /// Searches a tree on rank 0 until its first leaf, with at most this many nodes; every rank gets
 /// the same result.
 /// @param evidence null, or receives the nodes without states of a tree that has no more nodes

@@ -46,10 +46,8 @@ void add_problem_section(Markup& page, const ResultReader& reader, const ResultS
   page.open("section", {{"id", "problem"}}).element("h2", "Problem");
   page.verbatim(inline_svg(
       {"structure", "The undeformed structure",
-       fmt::format(
-           "{}, {}",
-           answer::counted(static_cast<std::uint64_t>(scenes.structure.positions.cols()), "node"),
-           answer::counted(scenes.structure.candidates.size(), "contact candidate")),
+       fmt::format("{}, {}", answer::counted(scenes.structure.positions.cols(), "node"),
+                   answer::counted(scenes.structure.candidates.size(), "contact candidate")),
        true},
       scenes.structure));
   add_problem(page, reader);
