@@ -294,7 +294,8 @@ answer::CertificateCheck::Held held_of(const verify::Certificate& certificate,
   if (except_large) held.displacement_ratio = verify::largest_displacement_ratio;
   if (!claims.restricts_a_sum) return held;
   const auto proved = answer::CertificateCheck::proved_at;
-  auto& [sum, sums_of_states] = held.grip.emplace();
+  held.grip = answer::CertificateCheck::Grip{};
+  auto& [sum, sums_of_states] = *held.grip;
   if (claims.grip.below > 0) sum.lower = proved(claims.grip.below);
   if (claims.grip.above) sum.upper = proved(*claims.grip.above);
   if (const auto& states = claims.grip.states)

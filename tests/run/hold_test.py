@@ -257,7 +257,7 @@ class Hold(KusabiCase):
         self.assertEqual((answer["open"], answer["outside"], result["verdict"]["exit_code"]), (False, "proved", 0))
         checked = self.kusabi("verify", proof, "--problem", place)
         self.assertRegex(checked.stdout, r"PROVED: .*from 0 to 0\.35779\d+; it cannot hold: below 0, from")
-        # Leaning against its other end, a triangle on one point holds nothing but the load through that point.
+        # A triangle that stands on one point holds nothing but a load through that point.
         text = TRIANGLE.replace('nodes = ["a", "b"]', 'nodes = ["a"]')
         text += LOAD.format('"a"', "[0.3, -1]") + LOAD.format('"b"', "[0.7, 0.2]").replace("dead", "reference")
         result = self.solve("hold", self.problem(text), "--mu", 0.5)
