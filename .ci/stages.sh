@@ -1,5 +1,5 @@
 # Stages that .ci/run and .ci/nightly share. Sourced by both; not a command of its own.
-source "$(dirname "${BASH_SOURCE[0]}")/../run/prepare.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../tools/prepare.sh"
 
 # stage NAME COMMAND...: runs it, and notes how many seconds passed and how many the cores were busy.
 shopt -s inherit_errexit

@@ -1,4 +1,4 @@
-# Debian packages, made by run/package (cpack -G DEB): kusabi (command, manual pages, completion),
+# Debian packages, made by tools/package (cpack -G DEB): kusabi (command, manual pages, completion),
 # libkusabi-dev (libraries, headers) and kusabi-doc (pages, examples).
 set(KUSABI_MAINTAINER "Kusabi's maintainers <maintainers@kusabi.invalid>" CACHE STRING
   "Maintainer of the Debian packages")

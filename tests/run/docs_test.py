@@ -1,6 +1,6 @@
-"""Calls of the pages, compared with their output on the pages; run/docs finds a wrong page, and corrects it.
+"""Calls of the pages, compared with their output on the pages; tools/docs finds a wrong page, and corrects it.
 
-    python3 docs_test.py RUN_DOCS BUILD MPIRUN
+    python3 docs_test.py DOCS BUILD MPIRUN
 """
 import pathlib
 import subprocess

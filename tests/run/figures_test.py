@@ -1,6 +1,6 @@
-"""Images of the pages: those of the repository are what run/figures draws, which also draws all that the site shows.
+"""Images of the pages: those of the repository are what tools/figures draws, which also draws all that the site shows.
 
-    python3 figures_test.py RUN_FIGURES BUILD
+    python3 figures_test.py FIGURES BUILD
 """
 import pathlib
 import re

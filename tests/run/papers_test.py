@@ -1,6 +1,6 @@
-"""run/papers finds a wrong figure in docs/papers.md.
+"""tools/papers finds a wrong figure in docs/papers.md.
 
-    python3 papers_test.py RUN_PAPERS BUILD
+    python3 papers_test.py PAPERS BUILD
 """
 import pathlib
 import subprocess

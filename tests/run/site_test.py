@@ -1,7 +1,7 @@
-"""Site of run/site: its links have targets, and it loads nothing from the net. Skipped without
+"""Site of tools/site: its links have targets, and it loads nothing from the net. Skipped without
 MkDocs.
 
-    python3 site_test.py RUN_SITE BUILD
+    python3 site_test.py SITE BUILD
 """
 import html.parser
 import pathlib

@@ -1,6 +1,6 @@
 """Figures printed in the two papers, the calls that compute them, and the values in their results.
 
-W is METR 2009-28 (wedged configurations), L is METR 2006-39 (worst-case limit loads). run/papers
+W is METR 2009-28 (wedged configurations), L is METR 2006-39 (worst-case limit loads). tools/papers
 determines agreement from the figures; where they differ, `why` must give the reason.
 """
 import re

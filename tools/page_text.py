@@ -1,4 +1,4 @@
-"""Parts of a Markdown page for run/docs: blocks of commands and of output, links, tables. Text
+"""Parts of a Markdown page for tools/docs: blocks of commands and of output, links, tables. Text
 only; nothing is run here."""
 import dataclasses
 import re
@@ -7,11 +7,11 @@ FENCE = re.compile(r"^(`{3,})(\S*)\s*$")
 # Remarks: comments for this program above a block, invisible to readers.
 KINDS = "not run|run instead|run before|printed by|exit code|needs"
 REMARK = re.compile(rf"<!-- ({KINDS})(?:, [^:]*)?:\s(.*?)\s-->", re.DOTALL)
-PROGRAM = re.compile(r"(kusabi|mpirun|python3|cmake|glpsol|gmsh|(\./)?(build|run|bench)/\S+|CC=\S+)( |$)")
+PROGRAM = re.compile(r"(kusabi|mpirun|python3|cmake|glpsol|gmsh|(\./)?(build|run|tools|bench)/\S+|CC=\S+)( |$)")
 LINK = re.compile(r"!?\[(?:[^\]\[]|\[[^\]]*\])*\]\(([^()\s]+)\)")
 # Options, named by themselves, of mpirun, CMake and scripts.
 OTHERS = {"--allow-run-as-root", "--use-hwthread-cpus", "--oversubscribe", "--mca", "--preset", "--check"}
-# Pictures that only the site shows, since run/site draws them.
+# Pictures that only the site shows, since tools/site draws them.
 ON_THE_SITE = re.compile(r"<!-- on the site: (!\[[^\]]*\]\([^()\s]+\)) -->")
 PICTURE = re.compile(r"!\[[^\]]*\]\(([^()\s]+)\)")
 
@@ -69,7 +69,7 @@ def remark_faults(path, text):
     for comment in re.finditer(rf"<!--\s*(?:{KINDS})\b.*?-->", text, re.DOTALL):
         if not REMARK.fullmatch(comment[0]):
             line = text.count("\n", 0, comment.start()) + 1
-            yield f"{path}:{line}: comment is not read; expected <!-- printed by: COMMANDS -->, or another kind of run/docs"
+            yield f"{path}:{line}: comment is not read; expected <!-- printed by: COMMANDS -->, or another kind of tools/docs"
 
 
 def blocks(text):

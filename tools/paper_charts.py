@@ -1,5 +1,5 @@
 """Figures 5 and 10 of the limit paper: functions from the member `result` of a result file to an SVG
-text, for run/figures.
+text, for tools/figures.
 """
 import html
 import math
