@@ -97,6 +97,30 @@ void InteriorPoint<D, Real>::start(const Program& program) {
 }
 
 template <int D, class Real>
+template <class Shorter>
+bool InteriorPoint<D, Real>::start_from(const InteriorPoint<D, Shorter>& other,
+                                        const NodeProgram<D, Shorter>& other_program,
+                                        const Program& program) {
+  start(program);
+  const auto count = static_cast<Eigen::Index>(program.cones().size());
+  const Eigen::Index rows = program.rows();
+  VectorOf<Shorter> forces = other.y_;
+  other_program.to_multipliers(forces);
+  Vector y = Vector::Zero(y_.size());
+  y.head(rows) = forces.head(rows).template cast<Real>();
+  program.from_multipliers(y);
+  const Real share = start_towards_centre;
+  y_ += (1.0 - share) * (y - y_);
+  x_.topRows(count) +=
+      (1.0 - share) * (other.x_.topRows(count).template cast<Real>() - x_.topRows(count));
+  v_.head(rows) += (1.0 - share) * (other.v_.head(rows).template cast<Real>() - v_.head(rows));
+  auto inside = Packed<Real>(1.0) > Packed<Real>(0.0);
+  for (Eigen::Index c = 0; c < count; c += width)
+    inside &= margin(load_cones(x_, static_cast<int>(c))) > Packed<Real>(0.0);
+  return refresh_dual(program, y_) && all(inside);
+}
+
+template <int D, class Real>
 bool InteriorPoint<D, Real>::refresh_dual(const Program& program, const Vector& y) {
   const auto count = static_cast<int>(program.cones().size());
   program.multiply_transposed(y, products_);
@@ -293,6 +317,17 @@ auto InteriorPoint<D, Real>::project_again(const Vector& discrepancy, const Prog
   trial_ = discrepancy;
   solve(trial_);
   if (motion_.size() > 0) motion_ += balance(program, trial_);
+  shift_projected(program, trial_);
+  return projected_;
+}
+
+template <int D, class Real>
+auto InteriorPoint<D, Real>::correction(const Vector& discrepancy, const Program& program,
+                                        Vector& motion) -> const Points& {
+  trial_ = discrepancy;
+  solve(trial_);
+  if (motion_.size() > 0) motion = balance(program, trial_);
+  projected_.setZero();
   shift_projected(program, trial_);
   return projected_;
 }
@@ -521,5 +556,14 @@ template class InteriorPoint<2, long double>;
 template class InteriorPoint<3, long double>;
 template class InteriorPoint<2, numbers::Precise>;
 template class InteriorPoint<3, numbers::Precise>;
+#define KUSABI_START_FROM(D, Real, Shorter)                                                \
+  template bool InteriorPoint<D, Real>::start_from(const InteriorPoint<D, Shorter>& other, \
+                                                   const NodeProgram<D, Shorter>& from,    \
+                                                   const Program& program)
+KUSABI_START_FROM(2, long double, double);
+KUSABI_START_FROM(3, long double, double);
+KUSABI_START_FROM(2, numbers::Precise, long double);
+KUSABI_START_FROM(3, numbers::Precise, long double);
+#undef KUSABI_START_FROM
 
 }  // namespace kusabi::conic

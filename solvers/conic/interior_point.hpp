@@ -59,6 +59,13 @@ class InteriorPoint {
   /// is well inside the cones. It depends on the node only.
   void start(const Program& program);
 
+  /// Sets the start to the last iterate of another run for the same node in shorter numbers, a little
+  /// towards the ordinary start.
+  /// @return false if it is outside the cones
+  template <class Shorter>
+  bool start_from(const InteriorPoint<D, Shorter>& other,
+                  const NodeProgram<D, Shorter>& other_program, const Program& program);
+
   /// b'y, a lower bound of the optimal value, since y is dual feasible.
   Real dual_value(const Program& program) const { return program.right_side().dot(y_); }
   /// y, m + p numbers, padded.
@@ -75,6 +82,10 @@ class InteriorPoint {
   /// `discrepancy` (m, padded): near the end M is ill-conditioned and one projection leaves a
   /// visible error.
   const Points& project_again(const Vector& discrepancy, const Program& program);
+
+  /// The change of a projected point that removes this residual, and of its alpha. Call after
+  /// factorise().
+  const Points& correction(const Vector& discrepancy, const Program& program, Vector& motion);
 
   /// x'z + v'y, at the last factorise().
   const Real& complementarity() const { return complementarity_; }
@@ -98,6 +109,9 @@ class InteriorPoint {
   bool advance(const Program& program);
 
  private:
+  template <int, class>
+  friend class InteriorPoint;
+
   using Cones = ConePoint<D, Packed<Real>>;  // points of as many cones as there are lanes
 
   using Square = Eigen::Matrix<Real, D, D>;

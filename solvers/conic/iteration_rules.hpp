@@ -45,6 +45,10 @@ inline constexpr double start_limit = 1;
 inline constexpr double start_point = 1;
 inline constexpr double start_slack = 0.5;
 
+/// Share of the ordinary start in one from an iterate in shorter numbers: their rounding leaves points
+/// on the boundary of the cones.
+inline constexpr double start_towards_centre = 1e-9;
+
 /// Share of the distance to the boundary that a step covers; the rest keeps the next scaling
 /// computable.
 inline constexpr double boundary_fraction = 0.99;

@@ -172,7 +172,7 @@ void NodeProgram<D, Real>::select(const IndexSet& contact, const IndexSet& separ
   for (const int k : cones_)
     whole +=
         level_weight<Real>(friction_[static_cast<std::size_t>(k)]) * normal_compliance_.col(D * k);
-  if (is_reduced()) of_modes(right_side_) = equation_basis_.transpose() * of_modes(right_side_);
+  to_rows(right_side_);
   slack_.setZero();
   slacks_ = cuts_.size();
   for (const int j : gap_rows_) {
@@ -219,6 +219,14 @@ void NodeProgram<D, Real>::reduce_modes() {
   equation_basis_.rightCols(p - independent).setZero();
   for (Eigen::Index l = independent; l < p; ++l)
     empty_rows_.insert(candidates() + static_cast<int>(l));
+}
+
+template <int D, class Real>
+void NodeProgram<D, Real>::from_multipliers(Vector& y) const {
+  if (!is_reduced()) return;
+  const Eigen::MatrixXd basis = equation_basis_.template cast<double>();
+  const Eigen::VectorXd own = Vector(of_modes(y)).template cast<double>();
+  of_modes(y) = basis.completeOrthogonalDecomposition().solve(own).template cast<Real>();
 }
 
 template <int D, class Real>
@@ -316,9 +324,19 @@ void NodeProgram<D, Real>::multiply_transposed(const Vector& weights,
 
 template <int D, class Real>
 void NodeProgram<D, Real>::reaction(const ConePoints<D, Real>& x, Vector& r) const {
+  reaction_at(x, level(x.col(0).head(static_cast<Eigen::Index>(cones_.size())).sum()), r);
+}
+
+template <int D, class Real>
+void NodeProgram<D, Real>::reaction_change(const ConePoints<D, Real>& x, Vector& r) const {
+  reaction_at(x, -x.col(0).head(static_cast<Eigen::Index>(cones_.size())).sum() / omega_, r);
+}
+
+template <int D, class Real>
+void NodeProgram<D, Real>::reaction_at(const ConePoints<D, Real>& x, const Real& t,
+                                       Vector& r) const {
   r.setZero();
   const auto count = static_cast<Eigen::Index>(cones_.size());
-  const Real t = level(x.col(0).head(count).sum());
   for (Eigen::Index c = 0; c < count; ++c) {
     const auto k = static_cast<std::size_t>(cones_[static_cast<std::size_t>(c)]);
     const auto at = D * static_cast<Eigen::Index>(k);
@@ -355,7 +373,7 @@ template <int D, class Real>
 auto NodeProgram<D, Real>::discrepancy() -> const Vector& {
   for (const int j : gap_rows_) gap_[j] = Real(0);
   for (const int i : ignored_) gap_[i] = Real(0);
-  if (is_reduced()) of_modes(gap_) = equation_basis_.transpose() * of_modes(gap_);
+  to_rows(gap_);
   gap_ = -gap_;
   return gap_;
 }

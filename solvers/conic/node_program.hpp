@@ -163,6 +163,8 @@ class NodeProgram {
 
   /// Reaction r (Dm, zero on R) of a point x of the cones.
   void reaction(const ConePoints<D, Real>& x, Vector& r) const;
+  /// Change of the reaction with a change of such a point.
+  void reaction_change(const ConePoints<D, Real>& x, Vector& r) const;
 
   /// Largest t that the friction cones permit for a reaction: min over C of mu_i r_{n,i} -
   /// ||r_{t,i}||.
@@ -177,6 +179,13 @@ class NodeProgram {
   /// Replaces y of the rows by the multipliers of pull().
   void to_multipliers(Vector& y) const {
     if (is_reduced()) of_modes(y) = equation_basis_ * of_modes(y);
+  }
+
+  /// The reverse, up to the rounding of doubles.
+  void from_multipliers(Vector& y) const;
+  /// Replaces the residual of G'r = 0 by that of the equations of the rows.
+  void to_rows(Vector& residual) const {
+    if (is_reduced()) of_modes(residual) = equation_basis_.transpose() * of_modes(residual);
   }
 
   /// u_n = F_n r + H alpha, then G'r: m + p numbers, padded; valid until the next call.
@@ -198,6 +207,8 @@ class NodeProgram {
   }
 
  private:
+  // Reaction of a point with this value of t.
+  void reaction_at(const ConePoints<D, Real>& x, const Real& t, Vector& r) const;
   // True if redundant modes and equations are omitted.
   bool is_reduced() const { return extended<Real> && motions_.count() > 0; }
   void reduce_modes();

@@ -27,6 +27,9 @@ constexpr int max_projections = extended<Real> ? 3 : 4;
 constexpr double visible_residual = 4;
 constexpr double visible_cost = 1e-2;
 
+// Corrections with longer numbers of the equations of a point in doubles.
+constexpr int max_corrections = 4;
+
 // Normal forces below this part of the largest one are treated as tending to zero.
 constexpr double min_force = 1e-6;
 
@@ -111,11 +114,31 @@ ConicResult NodeSolver<D, Real>::solve(const IndexSet& contact, const IndexSet& 
     if (!iterate(answer, Keep::best, settled) && extended<Real>) prove_contradiction(answer);
     prove_upper(answer);
   } while (extended<Real> && !settled(ExaminedBound::upper) && lift_off());
+  finish(answer);
+  return answer;
+}
+
+template <int D, class Real>
+template <class Shorter>
+ConicResult NodeSolver<D, Real>::solve_from(const NodeSolver<D, Shorter>& start,
+                                            const IndexSet& contact, const IndexSet& separated,
+                                            StopEarly stop, const IndexSet& ignored) {
+  ConicResult answer = nothing_known();
+  if (!begin(contact, separated, ignored, {}) ||
+      !iteration_.start_from(start.iteration_, start.program_, program_))
+    return answer;
+  iterate(answer, Keep::best, [&](ExaminedBound) { return is_settled(answer, stop, tolerances_); });
+  prove_upper(answer);
+  finish(answer);
+  return answer;
+}
+
+template <int D, class Real>
+void NodeSolver<D, Real>::finish(ConicResult& answer) {
   multipliers_ = best_.head(multipliers_.size());
   answer.sign = sign_of(answer, tolerances_);
   answer.gap = answer.upper - answer.lower;
   program_.displacement(reaction_, motion_, displacement_);
-  return answer;
 }
 
 // Both bounds improve monotonically, so an early stop and a full run cannot disagree on a sign.
@@ -203,6 +226,90 @@ void NodeSolver<D, Real>::raise_lower(ConicResult& answer, Keep keep) {
     if (last) return;
     program_.reaction(iteration_.project_again(program_.discrepancy(), program_), trial_);
   }
+}
+
+template <int D, class Real>
+template <class Longer>
+ConicResult NodeSolver<D, Real>::examine_with(NodeSolver<D, Longer>& judge) {
+  ConicResult answer = judge.nothing_known();
+  examine_point(judge, answer);
+  examine_multipliers(judge, answer);
+  judge.multipliers_ = judge.best_.head(judge.multipliers_.size());
+  judge.program_.displacement(judge.reaction_, judge.motion_, judge.displacement_);
+  return answer;
+}
+
+// The residual is computed with longer numbers, and removed by the factor of the last iteration:
+// each correction gains several digits.
+template <int D, class Real>
+template <class Longer>
+void NodeSolver<D, Real>::examine_point(NodeSolver<D, Longer>& judge, ConicResult& answer) {
+  using LongVector = VectorOf<Longer>;
+  LongVector r = trial_.template cast<Longer>();
+  LongVector motion = trial_motion_.template cast<Longer>();
+  const NodeSets sets = program_.sets();
+  Vector residual = Vector::Zero(best_.size());
+  Vector change = Vector::Zero(r.size());
+  Vector turn = Vector::Zero(program_.free_columns().cols());
+  for (int correction = 0;; ++correction) {
+    const LongVector& normal = judge.program_.normal_displacements(r, motion);
+    const auto proof =
+        judge.bounds_.below(sets, program_.friction(), r, normal, motion,
+                            {motion_cost_.carrying_reaction, motion_cost_.closing_displacement});
+    if (proof.level > answer.lower) {
+      answer.lower = proof.level;
+      answer.has_point = true;
+      answer.primal_residual = proof.residual;
+      judge.reaction_ = r;
+      judge.motion_ = motion;
+    }
+    if (correction == max_corrections || proof.residual <= visible_residual * proof.noise) return;
+    for (const int i : sets.contact_rows) residual[i] = -Real(numbers::rounded(normal[i]));
+    const Eigen::Index m = program_.candidates();
+    for (Eigen::Index l = m; l < program_.first_cut(); ++l)
+      residual[l] = -Real(numbers::rounded(normal[l]));
+    program_.to_rows(residual);
+    program_.reaction_change(iteration_.correction(residual, program_, turn), change);
+    r += change.template cast<Longer>();
+    motion += program_.motion(turn).template cast<Longer>();
+  }
+}
+
+// The multipliers of an unconstrained body prove nothing unless H'y = 0; the change is shared by all
+// of them in proportion to their size.
+template <int D, class Real>
+template <class Longer>
+void NodeSolver<D, Real>::examine_multipliers(NodeSolver<D, Longer>& judge,
+                                              ConicResult& answer) const {
+  const NodeSets sets = program_.sets();
+  VectorOf<Longer> y = VectorOf<Longer>::Zero(judge.best_.size());
+  y.head(program_.first_cut()) = best_.head(program_.first_cut()).template cast<Longer>();
+  if (program_.motions().count() > 0) {
+    std::vector<int> rows(sets.gap_rows.begin(), sets.gap_rows.end());
+    rows.insert(rows.end(), sets.contact_rows.begin(), sets.contact_rows.end());
+    Eigen::VectorXd sizes(static_cast<Eigen::Index>(rows.size()));
+    for (std::size_t place = 0; place < rows.size(); ++place)
+      sizes[static_cast<Eigen::Index>(place)] = std::abs(numbers::rounded(best_[rows[place]]));
+    const auto gaps = static_cast<Eigen::Index>(sets.gap_rows.size());
+    sizes.tail(sizes.size() - gaps).setConstant(sizes.size() == 0 ? 0 : sizes.maxCoeff());
+    const auto& lifts = judge.program_.normal_motions();
+    const Eigen::MatrixXd shares =
+        sizes.asDiagonal() * lifts(rows, Eigen::all).template cast<double>();
+    const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> equations(shares.transpose());
+    for (int correction = 0; correction < max_corrections; ++correction) {
+      VectorOf<Longer> load = VectorOf<Longer>::Zero(lifts.cols());
+      for (const int i : rows) load += y[i] * lifts.row(i).transpose();
+      const Eigen::VectorXd change = equations.solve(-load.template cast<double>());
+      for (std::size_t place = 0; place < rows.size(); ++place) {
+        const auto at = static_cast<Eigen::Index>(place);
+        y[rows[place]] += Longer(sizes[at] * change[at]);
+      }
+    }
+  }
+  for (const int j : sets.gap_rows)
+    if (y[j] < Longer(0)) y[j] = Longer(0);
+  answer.upper = judge.bounds_.above(sets, program_.friction(), y, judge.program_.pull(y));
+  judge.best_ = y;
 }
 
 // Certificate of equations that no reaction with a sum of one satisfies. M is singular then, and
@@ -304,6 +411,21 @@ std::span<const FaceDistances> NodeSolver<D, Real>::face_distances() {
   return face_distances_;
 }
 
+template ConicResult NodeSolver<2>::examine_with(NodeSolver<2, numbers::Precise>& judge);
+template ConicResult NodeSolver<3>::examine_with(NodeSolver<3, numbers::Precise>& judge);
+template ConicResult NodeSolver<2, long double>::examine_with(
+    NodeSolver<2, numbers::Precise>& judge);
+template ConicResult NodeSolver<3, long double>::examine_with(
+    NodeSolver<3, numbers::Precise>& judge);
+#define KUSABI_SOLVE_FROM(D, Real, Shorter)                                                    \
+  template ConicResult NodeSolver<D, Real>::solve_from(                                        \
+      const NodeSolver<D, Shorter>& start, const IndexSet& contact, const IndexSet& separated, \
+      StopEarly stop, const IndexSet& ignored)
+KUSABI_SOLVE_FROM(2, long double, double);
+KUSABI_SOLVE_FROM(3, long double, double);
+KUSABI_SOLVE_FROM(2, numbers::Precise, long double);
+KUSABI_SOLVE_FROM(3, numbers::Precise, long double);
+#undef KUSABI_SOLVE_FROM
 template class NodeSolver<2, double>;
 template class NodeSolver<3, double>;
 template class NodeSolver<2, long double>;

@@ -77,6 +77,20 @@ class NodeSolver {
                     StopEarly stop = {}, const support::IndexSet& ignored = {},
                     std::span<const Cut> cuts = {});
 
+  /// The same, from the last iterate of a solver with shorter numbers for the same node.
+  template <class Shorter>
+  ConicResult solve_from(const NodeSolver<D, Shorter>& start, const support::IndexSet& contact,
+                         const support::IndexSet& separated, StopEarly stop,
+                         const support::IndexSet& ignored);
+
+  /// Bounds of the last node, without cuts, from the point and the multipliers of its iteration, whose
+  /// equations are solved with longer numbers. The bounds of a point include the rounding of all its
+  /// displacements: often they prove nothing where the point itself is accurate enough.
+  /// @param judge solver of the same problem, which receives what proves the bounds
+  /// @pre an iteration was made
+  template <class Longer>
+  ConicResult examine_with(NodeSolver<D, Longer>& judge);
+
   /// Candidates with a reaction or a gap at a point of the relative interior of X. The points of
   /// the iteration tend to such a point as the bracket closes: reactions and gaps that vanish there
   /// decrease with the width of the bracket or its root, others stay. Nothing if this is
@@ -116,11 +130,19 @@ class NodeSolver {
   double max_of(std::size_t cut);
 
  private:
+  template <int, class>
+  friend class NodeSolver;
+
   NodeSolver(NodeProgram<D, Real> program, Tolerances tolerances, double error);
+  template <class Longer>
+  void examine_point(NodeSolver<D, Longer>& judge, ConicResult& answer);
+  template <class Longer>
+  void examine_multipliers(NodeSolver<D, Longer>& judge, ConicResult& answer) const;
   // Selects the node and prepares its bounds; false if no reaction has a sum of one.
   bool begin(const support::IndexSet& contact, const support::IndexSet& separated,
              const support::IndexSet& ignored, std::span<const Cut> cuts);
   ConicResult nothing_known();
+  void finish(ConicResult& answer);
   // Bound that has just been examined.
   enum class ExaminedBound { upper, lower };
   // Point stored as reaction(): the one that proves the best bound, or that of the last iteration.

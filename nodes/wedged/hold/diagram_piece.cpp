@@ -211,7 +211,8 @@ DiagramPiece PieceSearch::around(const Eigen::Vector2d& from) {
   piece.hull = sample;
   piece.is_whole_plane = sample.vertices.empty();
   piece.fine = piece.is_whole_plane;
-  for (std::size_t before = 0; planes_.size() > before && planes_.size() < max_planes;) {
+  for (std::size_t before = 0;
+       !piece.fine && planes_.size() > before && planes_.size() < max_planes;) {
     before = planes_.size();
     piece.hull = held_part(sample, piece.fine);
   }

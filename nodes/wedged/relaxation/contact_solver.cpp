@@ -141,32 +141,55 @@ auto with(Level& level, Function function) {
 
 }  // namespace
 
-template <class Real>
-void ContactSolver::escalate(Level<Real>& level, int number, const IndexSet& contact,
-                             const IndexSet& separated, const IndexSet& ignored,
-                             conic::StopEarly stop, conic::ConicResult& answer) {
-  with(made(level), [&](auto& solver) {
+template <class Solver>
+void ContactSolver::take(const Solver& solver, const conic::ConicResult& again,
+                         conic::ConicResult& answer) {
+  if (again.lower > answer.lower) {
+    answer.lower = again.lower;
+    answer.has_point = again.has_point;
+    answer.primal_residual = again.primal_residual;
+    reaction_ = solver.reaction().template cast<double>();
+    displacement_ = solver.displacement().template cast<double>();
+    motion_ = solver.motion().template cast<double>();
+  }
+  if (again.upper < answer.upper) {
+    answer.upper = again.upper;
+    multipliers_ = given(solver.multipliers());
+  }
+  answer.sign = conic::sign_of(answer, tolerances_);
+  answer.gap = answer.upper - answer.lower;
+}
+
+// From what costs least to what costs most, until the node is resolved.
+template <int D>
+void ContactSolver::escalate(const IndexSet& contact, const IndexSet& separated,
+                             const IndexSet& ignored, conic::StopEarly stop,
+                             conic::ConicResult& answer) {
+  const auto solver_of = [&](auto& level) -> auto& {
+    auto& solver = std::get<D - 1>(made(level));
     solver.end_when(stop_);
     solver.set_friction(friction_);
-    const conic::ConicResult again = solver.solve(contact, separated, stop, ignored);
+    return solver;
+  };
+  const auto resolves = [&](const auto& solver, const conic::ConicResult& again) {
     answer.iterations += again.iterations;
-    answer.precision_level = number;
-    // Both brackets are valid, and so is their intersection.
-    if (again.lower > answer.lower) {
-      answer.lower = again.lower;
-      answer.has_point = again.has_point;
-      answer.primal_residual = again.primal_residual;
-      reaction_ = solver.reaction().template cast<double>();
-      displacement_ = solver.displacement().template cast<double>();
-      motion_ = solver.motion().template cast<double>();
-    }
-    if (again.upper < answer.upper) {
-      answer.upper = again.upper;
-      multipliers_ = given(solver.multipliers());
-    }
-    answer.sign = conic::sign_of(answer, tolerances_);
-    answer.gap = answer.upper - answer.lower;
-  });
+    take(solver, again, answer);
+    return !is_unresolved(answer, stop);
+  };
+  auto& doubles = std::get<D - 2>(solver_);
+  auto& precise = solver_of(precise_level_);
+  if (answer.iterations > 0 && resolves(precise, doubles.examine_with(precise))) return;
+  answer.precision_level = 1;
+  auto& longer = solver_of(long_level_);
+  const auto from_doubles = longer.solve_from(doubles, contact, separated, stop, ignored);
+  if (resolves(longer, from_doubles)) return;
+  if (from_doubles.iterations == 0 &&
+      resolves(longer, longer.solve(contact, separated, stop, ignored)))
+    return;
+  if (resolves(precise, longer.examine_with(precise))) return;
+  answer.precision_level = 2;
+  if (resolves(precise, precise.solve_from(longer, contact, separated, stop, ignored))) return;
+  resolves(precise, precise.solve(contact, separated, stop, ignored));
 }
 
 bool ContactSolver::has_centre(const conic::ConicResult& answer, conic::StopEarly stop) const {
@@ -225,10 +248,11 @@ conic::ConicResult ContactSolver::solve(const IndexSet& contact, const IndexSet&
       },
       solver_);
   has_centre_ = has_centre(answer, stop);
-  if (is_unresolved(answer, stop))
-    escalate(long_level_, 1, contact, separated, ignored, stop, answer);
-  if (is_unresolved(answer, stop))
-    escalate(precise_level_, 2, contact, separated, ignored, stop, answer);
+  if (!is_unresolved(answer, stop)) return answer;
+  if (dimension_ == 2)
+    escalate<2>(contact, separated, ignored, stop, answer);
+  else
+    escalate<3>(contact, separated, ignored, stop, answer);
   return answer;
 }
 

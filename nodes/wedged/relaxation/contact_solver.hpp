@@ -143,10 +143,16 @@ class ContactSolver {
   /// The solver of a precision level, constructed at its first use.
   template <class Real>
   Level<Real>& made(Level<Real>& level);
-  template <class Real>
-  void escalate(Level<Real>& level, int number, const support::IndexSet& contact,
-                const support::IndexSet& separated, const support::IndexSet& ignored,
-                conic::StopEarly stop, conic::ConicResult& answer);
+  /// The intersection of both brackets, which are valid.
+  /// @param solver whose bracket is `again`
+  template <class Solver>
+  void take(const Solver& solver, const conic::ConicResult& again, conic::ConicResult& answer);
+  /// Examines the point in doubles with longer numbers; then solves the node with these, from the last
+  /// iterate with shorter ones, and if that is undecided from the beginning.
+  template <int D>
+  void escalate(const support::IndexSet& contact, const support::IndexSet& separated,
+                const support::IndexSet& ignored, conic::StopEarly stop,
+                conic::ConicResult& answer);
   /// The candidates displaced by the reactions of these.
   [[nodiscard]] support::IndexSet moved_by(const support::IndexSet& loaded) const;
   [[nodiscard]] bool is_unresolved(const conic::ConicResult& answer, conic::StopEarly stop) const;
