@@ -29,6 +29,7 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -93,13 +94,24 @@ class Bounds {
     double carrying_reaction = 0;  ///< see RigidModeBounds
     double closing_displacement = 0;
   };
-  [[nodiscard]] MotionCost motion_cost(const NodeSets& sets,
-                                       std::span<const double> friction) const {
+  /// Kept until the sets change: a bisection solves the node of one pattern many times.
+  [[nodiscard]] MotionCost motion_cost(const NodeSets& sets, std::span<const double> friction) {
     if (!motions_.has_modes()) return {};
-    const auto own = static_cast<std::size_t>(
-        std::ranges::count_if(sets.cones, [&](int k) { return !is_load(k); }));
-    return {motions_.carrying_reaction(sets.cones.first(own), D, friction, sets.cones.subspan(own)),
-            motions_.closing_displacement(sets.contact_rows)};
+    std::vector<std::pair<int, bool>> acting;
+    for (const int k : sets.cones)
+      acting.emplace_back(k, friction[static_cast<std::size_t>(k)] > 0);
+    if (acting != acting_) {
+      acting_ = std::move(acting);
+      const auto own = static_cast<std::size_t>(
+          std::ranges::count_if(sets.cones, [&](int k) { return !is_load(k); }));
+      cost_.carrying_reaction =
+          motions_.carrying_reaction(sets.cones.first(own), D, friction, sets.cones.subspan(own));
+    }
+    if (!std::ranges::equal(closed_, sets.contact_rows)) {
+      closed_.assign(sets.contact_rows.begin(), sets.contact_rows.end());
+      cost_.closing_displacement = motions_.closing_displacement(sets.contact_rows);
+    }
+    return cost_;
   }
 
   /// Lower bound from a reaction.
@@ -475,6 +487,9 @@ class Bounds {
   std::vector<int> owners_;       // of each cone
   std::vector<int> first_cones_;  // of each candidate
   double minimum_ = 0;            // lower bound s of the least eigenvalue
+  MotionCost cost_;               // of the cones of C, each with or without friction, and of U:
+  std::vector<std::pair<int, bool>> acting_;
+  std::vector<int> closed_;
 };
 
 }  // namespace kusabi::conic

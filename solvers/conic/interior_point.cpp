@@ -36,7 +36,8 @@ InteriorPoint<D, Real>::InteriorPoint(const Program& program)
       normal_equations_(program.first_cut() + (program.max_cuts() > 0 ? 1 : 0)) {
   const Eigen::Index rows = padded<Real>(program.max_rows());
   const int motions = program.motions().lifting;
-  solved_modes_.setZero(rows, motions);
+  reduced_modes_.setZero(padded<Real>(motions), rows);
+  along_motion_.setZero(rows);
   motion_.setZero(motions);
   // the constructor allocates; solvers are copied with their state
   schur_.compute(MatrixOf<Real>::Identity(motions, motions));
@@ -278,30 +279,55 @@ auto InteriorPoint<D, Real>::regularise_modes(const Program& program) -> Vector 
   return unbalanced;
 }
 
+// With M = L L', S is the product of L^-1 H with itself. The rows of cuts are not among those of L.
+template <int D, class Real>
+bool InteriorPoint<D, Real>::factorise_schur(const Program& program) {
+  const MatrixOf<Real>& columns = program.free_columns();
+  const Eigen::Index p = columns.cols();
+  if (elimination_.is_needed()) {
+    MatrixOf<Real> solved(columns.rows(), p);
+    trial_.setZero();
+    for (Eigen::Index l = 0; l < p; ++l) {
+      trial_.head(columns.rows()) = columns.col(l);
+      solve(trial_);
+      solved.col(l) = trial_.head(columns.rows());
+    }
+    schur_.compute(columns.transpose() * solved);
+  } else {
+    reduced_modes_.setZero(padded<Real>(static_cast<int>(p)), columns.rows());
+    reduced_modes_.topRows(p) = columns.transpose();
+    normal_equations_.reduce(reduced_modes_.data(), static_cast<int>(reduced_modes_.rows()));
+    const auto own = reduced_modes_.topRows(p);
+    schur_.compute(own * own.transpose());
+  }
+  return schur_.info() == Eigen::Success;
+}
+
 template <int D, class Real>
 bool InteriorPoint<D, Real>::solve_modes(const Program& program, const Vector& unbalanced) {
-  const MatrixOf<Real>& columns = program.free_columns();
-  solved_modes_.resize(columns.rows(), columns.cols());
-  trial_.setZero();
-  for (Eigen::Index l = 0; l < solved_modes_.cols(); ++l) {
-    trial_.head(columns.rows()) = columns.col(l);
-    solve(trial_);
-    solved_modes_.col(l) = trial_.head(columns.rows());
-  }
-  schur_.compute(columns.transpose() * solved_modes_);
-  if (schur_.info() != Eigen::Success) return false;
+  if (!factorise_schur(program)) return false;
   motion_ = balance(program, correction_);
   balance(program, predictor_);
-  predictor_.head(columns.rows()) -= solved_modes_ * schur_.solve(unbalanced);
+  subtract(program, schur_.solve(unbalanced), predictor_);
   return true;
 }
 
 template <int D, class Real>
-auto InteriorPoint<D, Real>::balance(const Program& program, Vector& solution) const -> Vector {
-  auto rows = solution.head(solved_modes_.rows());
-  const Vector motion = schur_.solve(program.free_columns().transpose() * rows);
-  rows -= solved_modes_ * motion;
+auto InteriorPoint<D, Real>::balance(const Program& program, Vector& solution) -> Vector {
+  const MatrixOf<Real>& columns = program.free_columns();
+  const Vector motion = schur_.solve(columns.transpose() * solution.head(columns.rows()));
+  subtract(program, motion, solution);
   return motion;
+}
+
+template <int D, class Real>
+void InteriorPoint<D, Real>::subtract(const Program& program, const Vector& motion,
+                                      Vector& solution) {
+  const MatrixOf<Real>& columns = program.free_columns();
+  along_motion_.setZero();
+  along_motion_.head(columns.rows()) = columns * motion;
+  solve(along_motion_);
+  solution.head(columns.rows()) -= along_motion_.head(columns.rows());
 }
 
 template <int D, class Real>

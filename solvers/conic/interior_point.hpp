@@ -135,10 +135,14 @@ class InteriorPoint {
 
   // Adds rho H H' to M; returns H'y, the residual of the equations of the modes.
   Vector regularise_modes(const Program& program);
-  // Computes M^-1 H and S, and corrects the two solutions of factorise() for the modes.
+  // Factorises S; false if it is singular.
+  bool factorise_schur(const Program& program);
+  // Corrects the two solutions of factorise() for the modes.
   bool solve_modes(const Program& program, const Vector& unbalanced);
   // Corrects a solution M^-1 g such that H'y = 0; returns alpha.
-  Vector balance(const Program& program, Vector& solution) const;
+  Vector balance(const Program& program, Vector& solution);
+  // Subtracts M^-1 H motion.
+  void subtract(const Program& program, const Vector& motion, Vector& solution);
 
   // One step towards complementarity_ = complementarity in all pairs; returns its kind.
   enum class Step { full, shortened, failed };
@@ -180,7 +184,8 @@ class InteriorPoint {
   Vector along_;                                // addend to faces_ by a cut
   Vector reduced_first_, reduced_second_;       // right sides without the rows of cuts
   NormalEquations<Real> normal_equations_;      // M = B B' + diag(w^2)
-  MatrixOf<Real> solved_modes_;                 // M^-1 H
+  MatrixOf<Real> reduced_modes_;                // (L^-1 H)'
+  Vector along_motion_;                         // M^-1 H alpha
   MatrixOf<Real> faces_;                        // rows of B' and of diag(w), then these times L^-T
   Eigen::LLT<MatrixOf<Real>> schur_;            // of S
   Vector motion_;                               // alpha
