@@ -65,6 +65,8 @@ std::string proved(const std::string& claim);
 
 /// Sentences about certificates that a run was to write.
 std::string no_certificate(const std::string& why);
+/// @param without of the half-widths asked for, at least one
+std::string no_certificate_at(std::size_t without, std::size_t asked);
 inline constexpr const char* no_proved_lower_bound =
     "No certificate of a lower bound was written, since none is proved.";
 inline constexpr const char* no_grip_range =

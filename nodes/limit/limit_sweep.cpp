@@ -25,18 +25,20 @@ double settle(problems::LimitProblem& problem, double alpha) {
 }  // namespace
 
 LimitSweep sweep_limit_loads(engine::Analysis& analysis, const problems::Structure& truss,
-                             const problems::LimitProblem& problem,
-                             std::span<const double> alphas) {
+                             const problems::LimitProblem& problem, std::span<const double> alphas,
+                             bool evidence) {
   LimitSweep sweep;
   for (const double alpha : alphas) {
     auto own = problem;
-    LimitParameters parameters{.alpha = settle(own, alpha)};
+    LimitParameters parameters{.alpha = settle(own, alpha), .evidence = evidence};
     // The worst-case curve scales all uncertain loads in proportion.
     parameters.curve = !has_fixed(problem) && alpha == alphas.back() && alpha > 0;
-    sweep.last = limit_loads(analysis, truss, own, parameters).answer;
+    auto found = limit_loads(analysis, truss, own, parameters);
+    sweep.last = std::move(found.answer);
     sweep.status = sweep.last.ended();
     const auto& worst = sweep.last.worst;
     if (!worst) break;  // there is no nominal factor
+    if (evidence) sweep.statements.push_back(std::move(found.statements));
     sweep.points.push_back({alpha, *worst, guaranteed_interval(sweep.last)});
     if (sweep.status != engine::Status::solved) break;
   }

@@ -12,6 +12,7 @@
 #include "nodes/limit/root/limit_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/structure.hpp"
+#include "verify/limit/limit_certificate.hpp"
 
 namespace kusabi::limit {
 
@@ -27,6 +28,8 @@ struct LimitSweep {
   /// At the last alpha: the nominal factor, and at the largest alpha the worst-case curve over beta
   /// from 0 to 1, in multiples of alpha, unless loads have half-widths of their own.
   LimitAnswer last;
+  /// The proved claims at each point with their evidence, on rank 0; none unless requested.
+  std::vector<std::vector<verify::LimitStatement>> statements;
 
   /// True if all results are complete and proved. @param asked number of alphas
   [[nodiscard]] bool whole(std::size_t asked) const;
@@ -36,7 +39,9 @@ struct LimitSweep {
 /// @param truss for the proofs
 /// @param problem of `truss`; not all of its uncertain loads have half-widths of their own
 /// @param alphas nonnegative, increasing, in the unit of force; at least one
+/// @param evidence true if the claims are required for certificates
 LimitSweep sweep_limit_loads(engine::Analysis& analysis, const problems::Structure& truss,
-                             const problems::LimitProblem& problem, std::span<const double> alphas);
+                             const problems::LimitProblem& problem, std::span<const double> alphas,
+                             bool evidence = false);
 
 }  // namespace kusabi::limit

@@ -53,6 +53,7 @@ class FrictionSweep final : public Swept {
   }
   [[nodiscard]] ordered_json json(CommandRun& run) const override;
   void write_csv(std::ostream& out) const override;
+  void write_certificates(OutputFolder& /*folder*/) const override {}  // refused
   [[nodiscard]] std::string table() const override {
     return points_text() + cones_text() + ranks_text();
   }

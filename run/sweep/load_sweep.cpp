@@ -24,6 +24,7 @@
 #include "run/session/progress_line.hpp"
 #include "run/sweep/swept.hpp"
 #include "support/rounded_bounds.hpp"
+#include "verify/limit/limit_certificate.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -87,10 +88,12 @@ class LoadSweep final : public Swept {
   }
   void search(CommandRun& run) override {
     engine::Analysis analysis(run.session().transport(), run.analysis_options(options_.limits));
-    found_ = limit::sweep_limit_loads(analysis, truss_, problem_, options_.alpha);
+    found_ = limit::sweep_limit_loads(analysis, truss_, problem_, options_.alpha,
+                                      !options_.certificates.empty());
   }
   [[nodiscard]] ordered_json json(CommandRun& run) const override;
   void write_csv(std::ostream& out) const override;
+  void write_certificates(OutputFolder& folder) const override;
   [[nodiscard]] std::string table() const override;
   [[nodiscard]] answer::Verdict verdict() const override;
 
@@ -187,6 +190,16 @@ void LoadSweep::write_csv(std::ostream& out) const {
   row(last.to, last.factor_at_end, last.error);
 }
 
+void LoadSweep::write_certificates(OutputFolder& folder) const {
+  for (std::size_t point = 0; point < found_.statements.size(); ++point) {
+    auto statements = found_.statements[point];
+    if (statements.empty()) continue;
+    for (auto& each : statements) each.load_case = options_.load_case;
+    folder.write(fmt::format("{}.cert", options_.alpha[point]),
+                 [&](std::ostream& out) { out << limit_certificate_text(statements); });
+  }
+}
+
 std::string LoadSweep::table() const {
   std::string text;
   const auto out = std::back_inserter(text);
@@ -229,7 +242,14 @@ answer::Verdict LoadSweep::verdict() const {
     }
   }
   steps.open = !found_.whole(options_.alpha.size());
-  return {.ended = found_.status, .answer = steps};
+  answer::Verdict verdict{.ended = found_.status, .answer = steps};
+  const auto asked = options_.alpha.size();
+  const auto without =
+      asked - static_cast<std::size_t>(std::ranges::count(
+                  found_.statements, false, &std::vector<verify::LimitStatement>::empty));
+  if (!options_.certificates.empty() && without > 0)
+    verdict.missing.push_back(answer::no_certificate_at(without, asked));
+  return verdict;
 }
 
 }  // namespace

@@ -58,6 +58,12 @@ void Sweep::describe(OptionTable& table) {
   table.output();
   table.file("--csv", csv_, Role::output, "CSV file of the points and the steps");
   table.file("--svg", svg_, Role::output, "chart of the points and the steps (SVG)");
+  table
+      .file("--certificate", options_.certificates, Role::folder,
+            "folder of certificates for kusabi verify, ALPHA.cert of each half-width")
+      .ends_in({"/ALPHA.cert"})
+      .needs("--alpha")
+      .matters();
   table.search_limits(options_.limits);
   table.resume(options_.checkpoint);
   table.prove(options_.prove,
@@ -96,6 +102,8 @@ std::vector<Step> Sweep::results(CommandRun& run) {
   const ResultReader result(swept_->json(run), "the result");
   std::vector<Step> steps{run.result([json = result.all()] { return json; }),
                           run.file("--csv", [this](std::ostream& out) { swept_->write_csv(out); })};
+  steps.push_back(run.folder("--certificate",
+                             [this](OutputFolder& folder) { swept_->write_certificates(folder); }));
   chart_ = sweep_chart(result, answer::headline(verdict()));
   if (chart_) {
     steps.push_back(run.file("--svg", [this](std::ostream& out) { write_chart(out, *chart_); }));

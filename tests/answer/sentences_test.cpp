@@ -301,7 +301,11 @@ Command sweep_loads() {
         {.answer = LoadSteps{.nominal_at_none = Standing::proved, .points = 1, .points_asked = 1}}},
        {"stopped at a point with an open bracket", stopped(two)},
        {"stopped with an upper bound only", stopped(with({std::nullopt, computed(2.7)}, {}, true))},
-       {"stopped before the first point", stopped(LoadSteps{.points_asked = 3, .open = true})}}};
+       {"stopped before the first point", stopped(LoadSteps{.points_asked = 3, .open = true})},
+       {"stopped, with `--certificate`",
+        {.ended = engine::Status::time_limit,
+         .answer = two,
+         .missing = {no_certificate_at(1, 3)}}}}};
 }
 
 Command limit() {

@@ -137,6 +137,21 @@ TEST_F(SweepCommand, AgreesWithLimitAtEachPoint) {
   }
 }
 
+TEST_F(SweepCommand, WritesACertificateOfEachHalfWidth) {
+  const auto file = file_of("paper/limit-3x3.toml");
+  const auto swept = " sweep " + file + " --certificate " + argument("proofs");
+  EXPECT_EQ(shell(command + swept + " --alpha 0:40:12.5").exit_code, 0);
+  for (const auto* alpha : {"0", "12.5", "25", "37.5"}) {
+    const auto run = shell(fmt::format("{} verify {} --problem {}", command,
+                                       argument(fmt::format("proofs/{}.cert", alpha)), file));
+    EXPECT_EQ(run.exit_code, 0) << run.output;
+    EXPECT_THAT(run.output, HasSubstr("PROVED"));
+    EXPECT_THAT(run.output, HasSubstr(fmt::format("alpha = {} is between", alpha)));
+  }
+  EXPECT_THAT(refusal(file_of("two-bars.toml") + " --mu 1 --certificate " + argument("proofs")),
+              HasSubstr("--certificate requires --alpha"));
+}
+
 TEST_F(SweepCommand, SaysWhatTheExactTestHasProved) {
   const auto call = command + " sweep " + file_of("two-bars.toml") + " --mu 1,3";
   EXPECT_THAT(shell(call).output, HasSubstr("there is 1 sign pattern (computed, not proved)."));
