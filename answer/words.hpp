@@ -65,6 +65,9 @@ std::string proved(const std::string& claim);
 
 /// Sentences about certificates that a run was to write.
 std::string no_certificate(const std::string& why);
+/// Of a sweep of friction.
+inline constexpr const char* not_all_certificates =
+    "There is no certificate of some coefficients, since the exact test did not come to them.";
 /// @param without of the half-widths asked for, at least one
 std::string no_certificate_at(std::size_t without, std::size_t asked);
 inline constexpr const char* no_proved_lower_bound =

@@ -35,8 +35,10 @@ bool is_wanted(const ExactTest& test) {
 }
 
 PatternFindings exact_list(engine::Analysis& analysis, const ExactParameters& parameters,
-                           std::span<const double> friction) {
+                           std::span<const double> friction, EvidenceRecorder recorder = {}) {
   PatternParameters patterns;
+  patterns.tree.thorough = static_cast<bool>(recorder);
+  patterns.recorder = std::move(recorder);
   patterns.structure = &parameters.structure;
   patterns.proving = parameters.proving;
   return find_patterns(analysis, parameters.problem, friction, patterns);
@@ -116,7 +118,8 @@ ExactTest tested_cones(engine::Analysis& analysis, const ExactParameters& parame
 }
 
 ExactTest tested_counts(engine::Analysis& analysis, const ExactParameters& parameters,
-                        std::span<const double> points, const SweepFindings& found) {
+                        std::span<const double> points, const SweepFindings& found,
+                        ListRecords* records) {
   auto test = test_of(parameters);
   if (!is_wanted(test)) return test;
   const auto coefficients = engine::from_first_rank(analysis.transport(), [&] {
@@ -139,8 +142,11 @@ ExactTest tested_counts(engine::Analysis& analysis, const ExactParameters& param
     return test;
   }
   for (const double coefficient : coefficients) {
+    const auto friction = candidate_friction(parameters.problem, coefficient);
     const auto list =
-        exact_list(analysis, parameters, candidate_friction(parameters.problem, coefficient));
+        exact_list(analysis, parameters, friction,
+                   records == nullptr ? EvidenceRecorder() : records->begin(coefficient));
+    if (records != nullptr) records->end(list, friction);
     const bool goes_on = engine::from_first_rank(analysis.transport(), [&] {
       add(test, list);
       const auto count = found.count_at(coefficient);

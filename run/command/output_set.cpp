@@ -88,7 +88,7 @@ Step OutputSet::folder(const std::string& option, std::function<void(OutputFolde
     auto& folder = folders_.at(option);
     if (!folder.wanted()) return;
     fill(folder);
-    written_.push_back(folder.last());
+    if (auto name = folder.last(); !name.empty()) written_.push_back(std::move(name));
   };
 }
 

@@ -212,6 +212,11 @@ OutputFolder::~OutputFolder() {
   if (made_) fs::remove(place_, not_empty);
 }
 
+std::string OutputFolder::last() const {
+  if (!last_.empty()) return last_.string();
+  return fs::is_empty(place_) ? "" : place_.string();
+}
+
 void OutputFolder::write(const std::string& file,
                          const std::function<void(std::ostream&)>& write_to) {
   last_ = place_ / file;

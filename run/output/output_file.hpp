@@ -68,8 +68,9 @@ class OutputFolder {
   /// Writes one file. @pre wanted() @throws WrongInput, std::runtime_error if it cannot be written
   void write(const std::string& file, const std::function<void(std::ostream&)>& write_to);
 
-  /// Path of the last file written, relative to the folder as it was given.
-  [[nodiscard]] std::string last() const { return last_.string(); }
+  /// Path of the last file written, relative to the folder as it was given; the folder if it has
+  /// files that others wrote; empty if it has none.
+  [[nodiscard]] std::string last() const;
 
  private:
   std::string option_;

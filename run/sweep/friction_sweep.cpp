@@ -1,27 +1,63 @@
 // Sweep of friction: staircase of counts over a range of coefficients.
 #include <algorithm>
 #include <iterator>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
 #include "answer/values.hpp"
+#include "answer/words.hpp"
 #include "nodes/wedged/exact_list.hpp"
 #include "nodes/wedged/sweep/sweep_search.hpp"
 #include "problems/wedged/wedged_problem.hpp"
+#include "run/evidence/certificate_file.hpp"
 #include "run/output/name_ranges.hpp"
 #include "run/output/rank_table.hpp"
 #include "run/output/values.hpp"
 #include "run/sweep/swept.hpp"
 #include "run/wedged/contact_problem.hpp"
 #include "run/wedged/problem_summary.hpp"
+#include "support/fingerprint.hpp"
 #include "support/rounded_bounds.hpp"
 
 namespace kusabi::run {
 namespace {
 
 using nlohmann::ordered_json;
+
+// One certificate for each list, COEFFICIENT.cert.
+class ListCertificates final : public wedged::ListRecords {
+ public:
+  ListCertificates(Session& session, const problems::WedgedProblem& problem,
+                   const SweepOptions& options)
+      : session_(session), problem_(problem), options_(options) {}
+
+  wedged::EvidenceRecorder begin(double coefficient) override {
+    support::Fingerprint tree;
+    tree.add(problem_.provenance.fingerprint);
+    tree.add(coefficient);
+    file_.emplace(session_, fmt::format("{}/{}.cert", options_.certificates, coefficient),
+                  options_.input.file, tree.value(), false);
+    return [this](const auto& evidence) { file_->add(evidence); };
+  }
+
+  void end(const wedged::PatternFindings& list, std::span<const double> friction) override {
+    file_->close();
+    if (session_.is_first() && list.whole())
+      file_->put_in_place(
+          certificate_header(problem_, friction, list_theorems(problem_), list.bounds));
+    file_.reset();
+  }
+
+ private:
+  Session& session_;
+  const problems::WedgedProblem& problem_;
+  const SweepOptions& options_;
+  std::optional<CertificateFile> file_;
+};
 
 class FrictionSweep final : public Swept {
  public:
@@ -47,13 +83,15 @@ class FrictionSweep final : public Swept {
     if (options_.mu.empty() && run.session().is_first())
       warn_of_facets(run, options_.input, contact_.facets, smallest_found());
     if (!searched) return;
-    const auto proving = options_.prove ? wedged::Proving::always : wedged::Proving::automatic;
+    const bool certified = !options_.certificates.empty();
+    const auto proving =
+        options_.prove || certified ? wedged::Proving::always : wedged::Proving::automatic;
+    ListCertificates certificates(run.session(), contact_.problem, options_);
     exact_ = wedged::tested_counts(analysis, {contact_.structure, contact_.problem, proving},
-                                   options_.mu, found_);
+                                   options_.mu, found_, certified ? &certificates : nullptr);
   }
   [[nodiscard]] ordered_json json(CommandRun& run) const override;
   void write_csv(std::ostream& out) const override;
-  void write_certificates(OutputFolder& /*folder*/) const override {}  // refused
   [[nodiscard]] std::string table() const override {
     return points_text() + cones_text() + ranks_text();
   }
@@ -237,7 +275,10 @@ answer::Verdict FrictionSweep::verdict() const {
     steps.infeasible = support::Bound{infeasible, support::proved_if(exact_.proves() && decided)};
     steps.displacement_ratio = exact_.displacement_ratio;
   }
-  return {.ended = found_.status, .answer = steps};
+  answer::Verdict verdict{.ended = found_.status, .answer = steps};
+  if (!options_.certificates.empty() && !exact_.done)
+    verdict.missing.push_back(answer::not_all_certificates);
+  return verdict;
 }
 
 }  // namespace

@@ -59,10 +59,12 @@ void Sweep::describe(OptionTable& table) {
   table.file("--csv", csv_, Role::output, "CSV file of the points and the steps");
   table.file("--svg", svg_, Role::output, "chart of the points and the steps (SVG)");
   table
-      .file("--certificate", options_.certificates, Role::folder,
-            "folder of certificates for kusabi verify, ALPHA.cert of each half-width")
-      .ends_in({"/ALPHA.cert"})
-      .needs("--alpha")
+      .file(
+          "--certificate", options_.certificates, Role::folder,
+          "folder of certificates for kusabi verify: ALPHA.cert of each half-width, or MU.cert of "
+          "the list of patterns at each point and at both ends of each step. A sweep of friction "
+          "is then one with --prove")
+      .ends_in({"/MU.cert"})
       .matters();
   table.search_limits(options_.limits);
   table.resume(options_.checkpoint);
@@ -80,6 +82,11 @@ void Sweep::check() const {
                  : "the range of the sweep is missing; expected --mu, --mu-max or --alpha");
   }
   if (!friction) return;
+  if (!options_.certificates.empty() && !options_.checkpoint.state.empty()) {
+    throw WrongInput(
+        "--certificate: a sweep of friction that is resumed has lost evidence; expected "
+        "--certificate without --resume");
+  }
   const auto& points = options_.mu;
   if (options_.mu_max && !points.empty() && points.back() > *options_.mu_max) {
     throw WrongInput(fmt::format("--mu-max {}: expected no less than the last point of --mu, {}",

@@ -28,7 +28,7 @@ struct SweepOptions {
   std::string load_case;         ///< load case of a truss; empty: the file has one
   /// Half-widths of groups of loads of a truss, which are not swept.
   std::vector<std::pair<std::string, double>> group_alpha;
-  std::string certificates;  ///< folder of the certificates of a truss; empty: none
+  std::string certificates;  ///< their folder; empty: none
   bool prove = false;        ///< comparison of the counts with proved lists of patterns
   engine::Limits limits;
   CheckpointChoice checkpoint;
@@ -51,8 +51,8 @@ class Swept {
   // JSON of the answer, on rank 0.
   [[nodiscard]] virtual nlohmann::ordered_json json(CommandRun& run) const = 0;
   virtual void write_csv(std::ostream& out) const = 0;
-  // Writes the certificate of each point that has one, on rank 0.
-  virtual void write_certificates(OutputFolder& folder) const = 0;
+  // Writes certificates that the search has not written, on rank 0.
+  virtual void write_certificates(OutputFolder& /*folder*/) const {}
   [[nodiscard]] virtual std::string table() const = 0;
   [[nodiscard]] virtual answer::Verdict verdict() const = 0;
 };

@@ -272,7 +272,13 @@ Command sweep_friction() {
            {"undecided patterns", {.answer = with([](auto& found) {
                                      found.open_at_most = found.open_patterns = 2;
                                      found.undecided_points = 1;
-                                   })}}}};
+                                   })}},
+           {"stopped, with `--certificate`",
+            {.ended = engine::Status::time_limit,
+             .answer = with([](auto& found) {
+               std::tie(found.infeasible, found.count) = std::pair(std::nullopt, 0);
+             }),
+             .missing = {not_all_certificates}}}}};
 }
 
 Command sweep_loads() {

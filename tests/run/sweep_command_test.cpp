@@ -2,7 +2,9 @@
 // two; its files read by other programs.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 
@@ -148,8 +150,30 @@ TEST_F(SweepCommand, WritesACertificateOfEachHalfWidth) {
     EXPECT_THAT(run.output, HasSubstr("PROVED"));
     EXPECT_THAT(run.output, HasSubstr(fmt::format("alpha = {} is between", alpha)));
   }
-  EXPECT_THAT(refusal(file_of("two-bars.toml") + " --mu 1 --certificate " + argument("proofs")),
-              HasSubstr("--certificate requires --alpha"));
+}
+
+TEST_F(SweepCommand, WritesACertificateOfEachList) {
+  const auto file = file_of("two-bars.toml");
+  const auto swept = " sweep " + file + " --mu 1,3 --certificate " + argument("lists");
+  const auto run = shell(command + swept);
+  EXPECT_EQ(run.exit_code, 0) << run.output;
+  EXPECT_THAT(run.output, HasSubstr("Exact arithmetic proves this"));
+  EXPECT_THAT(run.output, HasSubstr("wrote " + in_folder("lists")));
+  std::map<std::string, std::string> proved;
+  for (const auto& entry : std::filesystem::directory_iterator(in_folder("lists"))) {
+    const auto check =
+        shell(fmt::format("{} verify {} --problem {}", command,
+                          argument("lists/" + entry.path().filename().string()), file));
+    EXPECT_EQ(check.exit_code, 0) << check.output;
+    proved[entry.path().stem()] = check.output.substr(check.output.find("PROVED"));
+  }
+  ASSERT_EQ(proved.size(), 4U);  // both points, and both ends of the step at 2
+  for (const auto& [coefficient, sentence] : proved)
+    EXPECT_THAT(sentence,
+                HasSubstr(std::stod(coefficient) < 2 ? "the list of 0 patterns is complete"
+                                                     : "the list of 1 pattern is complete"));
+  EXPECT_THAT(refusal(file + " --mu 1 --certificate lists --resume state"),
+              HasSubstr("expected --certificate without --resume"));
 }
 
 TEST_F(SweepCommand, SaysWhatTheExactTestHasProved) {
