@@ -54,9 +54,11 @@ std::string no_certificate(const std::string& why) {
   return fmt::format("No certificate was written, since {}.", why);
 }
 
-std::string no_certificate_at(std::size_t without, std::size_t asked) {
-  return fmt::format("{} of {} {} no certificate, since not all is proved there.", without,
-                     counted(asked, "half-width"), without == 1 ? "has" : "have");
+std::string no_certificate_at(std::size_t without, std::size_t computed) {
+  return fmt::format(
+      "{} of {} computed has no certificate, since not all is proved there; an older file is "
+      "unchanged.",
+      without, counted(computed, "half-width"));
 }
 
 std::string factor_claim(const CertificateCheck::Factor& factor) {

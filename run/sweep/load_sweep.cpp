@@ -243,12 +243,11 @@ answer::Verdict LoadSweep::verdict() const {
   }
   steps.open = !found_.whole(options_.alpha.size());
   answer::Verdict verdict{.ended = found_.status, .answer = steps};
-  const auto asked = options_.alpha.size();
   const auto without =
-      asked - static_cast<std::size_t>(std::ranges::count(
-                  found_.statements, false, &std::vector<verify::LimitStatement>::empty));
-  if (!options_.certificates.empty() && without > 0)
-    verdict.missing.push_back(answer::no_certificate_at(without, asked));
+      std::ranges::count(found_.statements, true, &std::vector<verify::LimitStatement>::empty);
+  if (without > 0)
+    verdict.missing.push_back(
+        answer::no_certificate_at(static_cast<std::size_t>(without), found_.statements.size()));
   return verdict;
 }
 

@@ -171,8 +171,9 @@ class Bounds {
     double raw = infinity;
     const auto take = [&](const Real& value, double cost) {
       const double number = numbers::rounded(value);
+      const double proved = number - cost - double_rounding * std::abs(number);
       raw = std::min(raw, number);
-      level = std::min(level, number - cost - double_rounding * std::abs(number));
+      level = std::isnan(proved) ? -infinity : std::min(level, proved);
     };
     const double moved =
         correction.closing_displacement == 0
@@ -313,7 +314,8 @@ class Bounds {
                            unit * (std::abs(numbers::rounded(Real(w[D * k]))) +
                                    std::abs(numbers::rounded(tangential))) +
                            double_rounding * std::abs(reach) + cut_noise;
-      tau = std::max(tau, reach + wrong * safety);
+      const double most = reach + wrong * safety;
+      tau = std::isnan(most) ? infinity : std::max(tau, most);
     }
     return {tau, noise, cut_noise, balanced, pushes};
   }

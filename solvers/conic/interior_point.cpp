@@ -118,6 +118,8 @@ bool InteriorPoint<D, Real>::start_from(const InteriorPoint<D, Shorter>& other,
   auto inside = Packed<Real>(1.0) > Packed<Real>(0.0);
   for (Eigen::Index c = 0; c < count; c += width)
     inside &= margin(load_cones(x_, static_cast<int>(c))) > Packed<Real>(0.0);
+  for (int i = 0; i < program.rows(); i += width)
+    inside &= where(program.slack().data() + i, load(v_.data() + i), 1.0) > Packed<Real>(0.0);
   return refresh_dual(program, y_) && all(inside);
 }
 
@@ -279,7 +281,8 @@ auto InteriorPoint<D, Real>::regularise_modes(const Program& program) -> Vector 
   return unbalanced;
 }
 
-// With M = L L', S is the product of L^-1 H with itself. The rows of cuts are not among those of L.
+// With M = L L', S = (L^-1 H)'(L^-1 H). With cuts, L is the factor of the equations without their
+// rows, and each column of H is reduced and expanded as a right side.
 template <int D, class Real>
 bool InteriorPoint<D, Real>::factorise_schur(const Program& program) {
   const MatrixOf<Real>& columns = program.free_columns();

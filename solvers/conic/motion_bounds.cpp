@@ -47,8 +47,9 @@ Eigen::VectorXd singular_values(const Eigen::MatrixXd& part) {
 }
 
 // Magnitude of the least x with A'x = b for all b within `noise` of the load, if no singular value of
-// A is negligible: |R'^-1 b| with A = Q R. Singular values would give the same bound for the worst
-// direction of b, at three times the cost, and the interior-point method needs one an iteration.
+// A is negligible: |R'^-1 b| with A = Q R, and the rounding of the factor. Singular values would give
+// the bound for the worst direction of b, at three times the cost, and the interior-point method needs
+// one per iteration.
 std::optional<double> least_solution(const Eigen::MatrixXd& part, const Eigen::VectorXd& load,
                                      double noise) {
   if (part.rows() < part.cols()) return {};
@@ -58,8 +59,10 @@ std::optional<double> least_solution(const Eigen::MatrixXd& part, const Eigen::V
   const Eigen::MatrixXd inverse =
       triangle.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(p, p));
   const double size = inverse.norm();
-  if (!(size * triangle.norm() * negligible < 1)) return {};
-  return 1.001 * ((inverse.transpose() * load).norm() + size * noise);
+  const double condition = size * triangle.norm();
+  const double wrong = 4 * static_cast<double>(part.size()) * 0x1p-53 * condition;
+  if (!(condition * negligible < 1) || !(wrong < 1)) return {};
+  return 1.001 / (1 - wrong) * ((inverse.transpose() * load).norm() + size * noise);
 }
 
 double inverse_of_minimum(const Eigen::MatrixXd& part, double negligible_share) {

@@ -78,7 +78,8 @@ void NodeSolver<D, Real>::make_room(int max_cuts) {
 
 template <int D, class Real>
 ConicResult NodeSolver<D, Real>::nothing_known() {
-  for (Vector* part : {&reaction_, &displacement_, &motion_, &multipliers_, &best_})
+  for (Vector* part :
+       {&reaction_, &displacement_, &motion_, &multipliers_, &best_, &trial_, &trial_motion_})
     part->setZero();
   lifted_ = {};
   ConicResult answer;
@@ -272,11 +273,13 @@ void NodeSolver<D, Real>::examine_point(NodeSolver<D, Longer>& judge, ConicResul
     program_.reaction_change(iteration_.correction(residual, program_, turn), change);
     r += change.template cast<Longer>();
     motion += program_.motion(turn).template cast<Longer>();
+    if (!change.template cast<double>().allFinite() || !turn.template cast<double>().allFinite())
+      return;  // the last factor was singular
   }
 }
 
-// The multipliers of an unconstrained body prove nothing unless H'y = 0; the change is shared by all
-// of them in proportion to their size.
+// The multipliers of an unconstrained body prove nothing unless H'y = 0. Those of gaps change in
+// proportion to their size, those of U, which may have either sign, by any part of the largest one.
 template <int D, class Real>
 template <class Longer>
 void NodeSolver<D, Real>::examine_multipliers(NodeSolver<D, Longer>& judge,
@@ -306,6 +309,7 @@ void NodeSolver<D, Real>::examine_multipliers(NodeSolver<D, Longer>& judge,
       }
     }
   }
+  if (!y.template cast<double>().allFinite()) return;
   for (const int j : sets.gap_rows)
     if (y[j] < Longer(0)) y[j] = Longer(0);
   answer.upper = judge.bounds_.above(sets, program_.friction(), y, judge.program_.pull(y));

@@ -3,7 +3,7 @@
 //
 // The tree needs only the sign of t*, so the iteration stops as soon as one side proves it. Both
 // bounds include rounding errors (solvers/conic/bounds.hpp). Nodes that are numerically undecided
-// in doubles are solved again with longer numbers (nodes/wedged/relaxation/contact_solver.hpp).
+// in doubles are examined and solved with longer numbers (nodes/wedged/relaxation/contact_solver.hpp).
 #pragma once
 
 #include <cmath>
@@ -35,7 +35,7 @@ struct RelativeInterior {
 };
 
 /// Solves the node programs of one contact problem in sequence, in doubles, long doubles or numbers
-/// of 104 bits. Owns its workspace, and in doubles allocates nothing after construction; each rank
+/// of 104 bits. Owns its workspace; without rigid-body modes, doubles allocate nothing later; each rank
 /// has one. A result depends on the arguments of solve() only, to the last bit. The references
 /// below are valid until the next solve().
 template <int D, class Real = double>
@@ -85,9 +85,9 @@ class NodeSolver {
 
   /// Bounds of the last node, without cuts, from the point and the multipliers of its iteration, whose
   /// equations are solved with longer numbers. The bounds of a point include the rounding of all its
-  /// displacements: often they prove nothing where the point itself is accurate enough.
+  /// displacements: often they prove nothing where the point itself is accurate enough. Nothing is
+  /// proved if no iteration has come to a point.
   /// @param judge solver of the same problem, which receives what proves the bounds
-  /// @pre an iteration was made
   template <class Longer>
   ConicResult examine_with(NodeSolver<D, Longer>& judge);
 

@@ -311,7 +311,7 @@ Command sweep_loads() {
        {"stopped, with `--certificate`",
         {.ended = engine::Status::time_limit,
          .answer = two,
-         .missing = {no_certificate_at(1, 3)}}}}};
+         .missing = {no_certificate_at(1, 2)}}}}};
 }
 
 Command limit() {

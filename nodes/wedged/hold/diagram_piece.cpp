@@ -193,12 +193,9 @@ Polygon PieceSearch::held_part(const Polygon& sample, bool& fine) {
   }
   for (const auto& ray : outer.rays) {
     const auto inner = nearest_unbounded(ray, unbounded);
-    if (shot_at(ray).unbounded)
-      hull.rays.push_back(ray);
-    else if (inner)
-      hull.rays.push_back(*inner);
-    else
-      fine = false;
+    const bool unbounded_here = shot_at(ray).unbounded;
+    if (unbounded_here || inner) hull.rays.push_back(unbounded_here ? ray : *inner);
+    fine = fine && (unbounded_here || (inner && (ray - *inner).norm() <= piece_width));
   }
   return hull;
 }

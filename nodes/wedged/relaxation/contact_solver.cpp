@@ -178,12 +178,13 @@ void ContactSolver::escalate(const IndexSet& contact, const IndexSet& separated,
   };
   auto& doubles = std::get<D - 2>(solver_);
   auto& precise = solver_of(precise_level_);
-  if (answer.iterations > 0 && resolves(precise, doubles.examine_with(precise))) return;
+  if (resolves(precise, doubles.examine_with(precise))) return;
   answer.precision_level = 1;
   auto& longer = solver_of(long_level_);
   const auto from_doubles = longer.solve_from(doubles, contact, separated, stop, ignored);
   if (resolves(longer, from_doubles)) return;
-  if (from_doubles.iterations == 0 &&
+  const bool nothing_proved = !from_doubles.has_point && std::isinf(from_doubles.upper);
+  if (nothing_proved &&
       resolves(longer, longer.solve(contact, separated, stop, ignored)))
     return;
   if (resolves(precise, longer.examine_with(precise))) return;

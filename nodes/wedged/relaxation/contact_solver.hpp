@@ -4,9 +4,9 @@
 // part: t compares reactions with displacements, so its size (not its sign) depends on the unit.
 //
 // A node is solved in doubles first. If its sign is undecided, or its value has fewer than three
-// digits where that is required, the same program is solved again in long double precision and then
-// in 104 bits, with an F of the same precision (docs/theory/wedged.md, "Precision levels"). All
-// bounds hold for the F of the structure at any precision level.
+// digits where that is required, the point is examined, and then the iteration goes on, in long double
+// precision and in 104 bits, with an F of the same precision (docs/theory/wedged.md, "Precision
+// levels"). All bounds hold for the F of the structure at any precision level.
 #pragma once
 
 #include <optional>
@@ -33,7 +33,7 @@ enum class Precision { escalating, doubles };
 
 /// conic::NodeSolver of the problem's dimension, with one for each higher precision level. The
 /// result for a node depends on the arguments alone, to the last bit. No allocation
-/// after construction except for escalation. Each rank has its own. The references are valid until
+/// after construction except for escalation and rigid-body modes. Each rank has its own. References are valid until
 /// the next solve().
 class ContactSolver {
  public:

@@ -260,6 +260,65 @@ TEST(UnconstrainedBody, WedgesInAGrooveFromTheTangentOfItsHalfAngle) {
 }
 
 // A block between two parallel walls: the mode that slides along both is not an unknown.
+template <int D>
+NodeSolver<D, numbers::Precise> judge_of(const UnconstrainedProblem& problem) {
+  std::vector<int> owners(problem.friction.size());
+  for (std::size_t i = 0; i < owners.size(); ++i) owners[i] = static_cast<int>(i);
+  const numbers::PreciseMatrix motions = problem.motions.cast<numbers::Precise>();
+  return NodeSolver<D, numbers::Precise>(problem.compliance.cast<numbers::Precise>(),
+                                         problem.friction, owners, {}, 0,
+                                         ordered_motions<D, numbers::Precise>(motions, 0));
+}
+
+template <int D>
+void expect_own_points_examined(int m, unsigned seed) {
+  std::mt19937_64 generator(seed);
+  const auto problem = random_unconstrained<D>(m, generator);
+  auto one = solver_of<D>(problem);
+  auto judge = judge_of<D>(problem);
+  const auto all = IndexSet::below(m);
+  for (std::uint64_t separated = 0; separated + 1 < std::uint64_t{1} << m; ++separated) {
+    for (const bool leaf : {false, true}) {
+      const IndexSet apart(separated);
+      const IndexSet contact = leaf ? all - apart : IndexSet();
+      const auto first = one.solve(contact, apart);
+      const auto examined = one.examine_with(judge);
+      auto other = solver_of<D>(problem);
+      const auto again = other.solve(contact, apart);
+      const auto alone = other.examine_with(judge);
+      EXPECT_EQ(first.lower, again.lower);
+      EXPECT_EQ(examined.lower, alone.lower);
+      EXPECT_EQ(examined.upper, alone.upper);
+      const auto truth = judge.solve(contact, apart);
+      EXPECT_LE(examined.lower, truth.upper);
+      EXPECT_LE(truth.lower, examined.upper);
+    }
+  }
+}
+
+// A node that ends before its first point, as by a singular factor, has none of the node before.
+TEST(UnconstrainedBody, HasNoPointOfANodeThatEndedBefore) {
+  std::mt19937_64 generator(7);
+  const auto problem = random_unconstrained<2>(4, generator);
+  const Eigen::Matrix<long double, -1, -1> compliance = problem.compliance.cast<long double>();
+  const Eigen::Matrix<long double, -1, -1> motions = problem.motions.cast<long double>();
+  NodeSolver<2, long double> solver(compliance, problem.friction, {0, 1, 2, 3}, {}, 0,
+                                    ordered_motions<2, long double>(motions, 0));
+  auto judge = judge_of<2>(problem);
+  solver.solve({}, {});
+  EXPECT_GT(solver.examine_with(judge).lower, -1e300);
+  solver.end_when([] { return true; });
+  EXPECT_THROW(solver.solve({}, IndexSet::single(0)), support::Stopped);
+  EXPECT_LT(solver.examine_with(judge).lower, -1e300);
+}
+
+TEST(UnconstrainedBody, HasThePointsOfItsOwnNodesExamined) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    expect_own_points_examined<2>(2 + static_cast<int>(seed % 3), seed);
+    expect_own_points_examined<3>(3 + static_cast<int>(seed % 2), seed);
+  }
+}
+
 TEST(UnconstrainedBody, SlidesBetweenParallelWalls) {
   Eigen::MatrixXd motions(4, 3);
   motions << 1, 0, -0.5, 0, -1, 1, -1, 0, 0.5, 0, 1, 1;
