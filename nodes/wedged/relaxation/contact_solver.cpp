@@ -184,9 +184,7 @@ void ContactSolver::escalate(const IndexSet& contact, const IndexSet& separated,
   const auto from_doubles = longer.solve_from(doubles, contact, separated, stop, ignored);
   if (resolves(longer, from_doubles)) return;
   const bool nothing_proved = !from_doubles.has_point && std::isinf(from_doubles.upper);
-  if (nothing_proved &&
-      resolves(longer, longer.solve(contact, separated, stop, ignored)))
-    return;
+  if (nothing_proved && resolves(longer, longer.solve(contact, separated, stop, ignored))) return;
   if (resolves(precise, longer.examine_with(precise))) return;
   answer.precision_level = 2;
   if (resolves(precise, precise.solve_from(longer, contact, separated, stop, ignored))) return;
