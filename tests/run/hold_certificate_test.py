@@ -118,6 +118,16 @@ class HoldCertificate(KusabiCase):
         self.assertIn("K, the loads and the friction are those of the certificate", " ".join(alone.stdout.split()))
         self.assertIn("it can hold these factors of the reference load: from -0.62499", " ".join(alone.stdout.split()))
 
+    def test_a_load_that_supports_carry_has_no_forces_at_the_candidates(self):
+        place = SOURCES / "tests" / "cases" / "load_that_supports_carry.toml"
+        proof = self.folder / "carried"
+        for options, written in (((), "carried.lower"), (("--mu", 2.6), "carried")):
+            self.solve("hold", place, *options, "--certificate", proof)
+            checked = self.kusabi("verify", self.folder / written, "--problem", place)
+            self.assertIn("PROVED: ", checked.stdout)
+            loads = [line for line in (self.folder / written).read_text().splitlines() if line.startswith("reference")]
+            self.assertEqual(loads, ["reference 0x0p+0 0x0p+0"])
+
     def test_certificates_name_their_load_case(self):
         file = EXAMPLES / "peg-under-two-loads.toml"
         text = self.written(file, "--mu", "0.5", "--case", "side")

@@ -187,17 +187,25 @@ std::optional<std::string> other_clearances(const RecordedLoads& loads, const St
   return {};
 }
 
+double sum_of(const std::vector<Force>& forces) {
+  double sum = 0;
+  for (const auto& force : forces)
+    for (const double component : force.components) sum += std::abs(component);
+  return sum;
+}
+
 std::optional<std::string> other_forces(const std::vector<double>& recorded,
-                                        const EnclosedLoad& load, const char* name,
-                                        const Certificate& certificate) {
+                                        const EnclosedLoad& load, const std::vector<Force>& forces,
+                                        const char* name, const Certificate& certificate) {
   // A load that no reaction can balance has no equivalent forces at the candidates.
   if (load.work.is_unbalanced()) return {};
   double largest = 0;
   for (std::size_t i = 0; i < recorded.size(); ++i)
     largest = std::max(largest, std::abs(load.condensed.forces[i].nearest()));
+  const double carried = carried_by_supports * sum_of(forces);
   for (std::size_t i = 0; i < recorded.size(); ++i) {
     const double own = load.condensed.forces[i].nearest();
-    if (!(std::abs(recorded[i] - own) <= load_tolerance * largest))
+    if (!(std::abs(recorded[i] - own) <= load_tolerance * largest + carried))
       return std::string("the ") + name +
              " load of the certificate is not that of the structure: at " +
              direction_name(certificate, i) + " it is " + text_of(recorded[i]) + ", expected " +
@@ -235,8 +243,10 @@ std::variant<ConsistentStructure, std::string> consistency(const Certificate& ce
   if (certificate.loads) {
     const auto& recorded = *certificate.loads;
     if (auto why = other_clearances(recorded, structure, certificate)) return *why;
-    if (auto why = other_forces(recorded.dead, loads[0], "dead", certificate)) return *why;
-    if (auto why = other_forces(recorded.reference, loads[1], "reference", certificate))
+    if (auto why = other_forces(recorded.dead, loads[0], structure.dead, "dead", certificate))
+      return *why;
+    if (auto why = other_forces(recorded.reference, loads[1], structure.reference, "reference",
+                                certificate))
       return *why;
   }
   return ConsistentStructure{std::move(stiffness), std::move(motions), std::move(loads),

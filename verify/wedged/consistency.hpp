@@ -25,6 +25,10 @@ inline constexpr double motion_tolerance = 1e-6;
 /// Tolerance of the recorded loads, relative to the largest force of each. No proof uses them.
 inline constexpr double load_tolerance = 1e-6;
 
+/// Forces at the candidates below this part of the load itself are zero: supports carry all of it, and
+/// what is left is the rounding of 104 bits.
+inline constexpr double carried_by_supports = 0x1p-80;
+
 /// Data of the structure for the proofs.
 struct ConsistentStructure {
   EnclosedMatrix stiffness;           ///< of the structure

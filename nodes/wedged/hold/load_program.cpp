@@ -140,11 +140,14 @@ EquivalentForces equivalent_forces(const LoadedProblem& loaded) {
     const PreciseMatrix missing = loaded.loads.motions.transpose() - modes.transpose() * all;
     all += springs * gram.partialPivLu().solve(missing);
   }
-  // The difference of equal numbers in 104 bits is zero up to a rounding.
+  // The difference of equal numbers in 104 bits is zero up to a rounding, and so are all forces of a
+  // load that supports carry.
   constexpr double rounded = 0x1p-60;
+  constexpr double carried = 0x1p-80;
   const auto column = [&](Eigen::Index k) -> Eigen::VectorXd {
     const Eigen::VectorXd own = all.col(k).cast<double>();
-    const double smallest = rounded * own.cwiseAbs().maxCoeff();
+    const double smallest =
+        std::max(rounded * own.cwiseAbs().maxCoeff(), carried * loaded.loads.sizes[k]);
     return (own.array().abs() > smallest).select(own, 0.0);
   };
   Eigen::Index place = 0;
