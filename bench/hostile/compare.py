@@ -254,8 +254,10 @@ class Judge:
             if code != 0:
                 continue
             for file in files:
-                if file.endswith(".upper") and result["result"]["critical_friction"]["upper"] is None:
-                    continue
+                if file.endswith(".upper"):
+                    upper = result["result"]["critical_friction"]["upper"]
+                    if upper is None or upper["standing"] != "proved":
+                        continue  # it is said that there is no certificate
                 proved, _, line = self.kusabi.run("verify", file, *more)
                 self._count("certificates")
                 # Degenerate patterns cannot be proved: `patterns` counts them.

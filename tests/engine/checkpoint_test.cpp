@@ -172,7 +172,7 @@ TEST_F(Checkpoint, KeepsTheSolutionsOfAPool) {
 TEST_F(Checkpoint, OneRankOpensNoMoreNodesThanTheLimitOverAllRuns) {
   auto choice = options();
   auto tree = RandomTree(1, 20);
-  for (const std::uint64_t limit : {500, 777, 778}) {
+  for (const std::uint64_t limit : {500U, 777U, 778U}) {
     choice.limits.nodes = limit;
     const auto outcome = search(tree, choice);
     EXPECT_EQ(outcome.status, Status::node_limit);
