@@ -277,7 +277,7 @@ answer::Verdict FrictionSweep::verdict() const {
   }
   answer::Verdict verdict{.ended = found_.status, .answer = steps};
   if (!options_.certificates.empty() && !exact_.done)
-    verdict.missing.push_back(answer::not_all_certificates);
+    verdict.missing.emplace_back(answer::not_all_certificates);
   return verdict;
 }
 
