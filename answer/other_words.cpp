@@ -54,11 +54,10 @@ std::string no_certificate(const std::string& why) {
   return fmt::format("No certificate was written, since {}.", why);
 }
 
-std::string no_certificate_at(std::size_t without, std::size_t computed) {
+std::string no_certificate_of(std::size_t without, const std::string& all, const std::string& why) {
   return fmt::format(
-      "{} of {} computed has no certificate, since not all is proved there; an older file is "
-      "unchanged.",
-      without, counted(computed, "half-width"));
+      "No certificate was written for {} of {}, since {}; an older file is unchanged.", without, all,
+      why);
 }
 
 std::string factor_claim(const CertificateCheck::Factor& factor) {

@@ -65,11 +65,8 @@ std::string proved(const std::string& claim);
 
 /// Sentences about certificates that a run was to write.
 std::string no_certificate(const std::string& why);
-/// Of a sweep of friction.
-inline constexpr const char* not_all_certificates =
-    "There is no certificate of some coefficients, since the exact test did not come to them.";
-/// @param without of the half-widths that were computed, at least one
-std::string no_certificate_at(std::size_t without, std::size_t computed);
+/// Of a sweep. @param without at least one  @param all "3 coefficients"
+std::string no_certificate_of(std::size_t without, const std::string& all, const std::string& why);
 inline constexpr const char* no_proved_lower_bound =
     "No certificate of a lower bound was written, since none is proved.";
 inline constexpr const char* no_grip_range =

@@ -141,6 +141,7 @@ ExactTest tested_counts(engine::Analysis& analysis, const ExactParameters& param
     test.unable = fmt::format("{} coefficients are more than are tested", coefficients.size());
     return test;
   }
+  if (records != nullptr) records->expect(coefficients.size());
   for (const double coefficient : coefficients) {
     const auto friction = candidate_friction(parameters.problem, coefficient);
     const auto list =

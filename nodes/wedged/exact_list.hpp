@@ -2,6 +2,7 @@
 // patterns of a search with exact test.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,8 @@ class ListRecords {
   ListRecords& operator=(const ListRecords&) = delete;
   virtual ~ListRecords() = default;
 
+  /// Lists of so many coefficients are to be tested, as long as the test goes on.
+  virtual void expect(std::size_t lists) = 0;
   /// A list begins. @param coefficient of friction, which multiplies those of the candidates
   virtual EvidenceRecorder begin(double coefficient) = 0;
   /// It has ended. @param friction of each candidate

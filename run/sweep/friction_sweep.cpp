@@ -3,6 +3,7 @@
 #include <iterator>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,12 +29,18 @@ namespace {
 
 using nlohmann::ordered_json;
 
+std::optional<std::string> lists_not_tested() {
+  return answer::no_certificate("the lists were not tested");
+}
+
 // One certificate for each list, COEFFICIENT.cert.
 class ListCertificates final : public wedged::ListRecords {
  public:
   ListCertificates(Session& session, const problems::WedgedProblem& problem,
                    const SweepOptions& options)
       : session_(session), problem_(problem), options_(options) {}
+
+  void expect(std::size_t lists) override { expected_ = lists; }
 
   wedged::EvidenceRecorder begin(double coefficient) override {
     support::Fingerprint tree;
@@ -46,10 +53,21 @@ class ListCertificates final : public wedged::ListRecords {
 
   void end(const wedged::PatternFindings& list, std::span<const double> friction) override {
     file_->close();
-    if (session_.is_first() && list.whole())
+    if (session_.is_first() && list.whole()) {
       file_->put_in_place(
           certificate_header(problem_, friction, list_theorems(problem_), list.bounds));
+      ++written_;
+    }
     file_.reset();
+  }
+
+  /// Sentence about those that were not written, on rank 0; nothing: all were.
+  [[nodiscard]] std::optional<std::string> missing() const {
+    if (!expected_) return lists_not_tested();
+    if (written_ == *expected_) return {};
+    return answer::no_certificate_of(*expected_ - written_,
+                                     answer::counted(*expected_, "coefficient"),
+                                     "the exact test did not come to their end");
   }
 
  private:
@@ -57,6 +75,8 @@ class ListCertificates final : public wedged::ListRecords {
   const problems::WedgedProblem& problem_;
   const SweepOptions& options_;
   std::optional<CertificateFile> file_;
+  std::optional<std::size_t> expected_;
+  std::size_t written_ = 0;
 };
 
 class FrictionSweep final : public Swept {
@@ -86,9 +106,9 @@ class FrictionSweep final : public Swept {
     const bool certified = !options_.certificates.empty();
     const auto proving =
         options_.prove || certified ? wedged::Proving::always : wedged::Proving::automatic;
-    ListCertificates certificates(run.session(), contact_.problem, options_);
+    if (certified) certificates_.emplace(run.session(), contact_.problem, options_);
     exact_ = wedged::tested_counts(analysis, {contact_.structure, contact_.problem, proving},
-                                   options_.mu, found_, certified ? &certificates : nullptr);
+                                   options_.mu, found_, certified ? &*certificates_ : nullptr);
   }
   [[nodiscard]] ordered_json json(CommandRun& run) const override;
   void write_csv(std::ostream& out) const override;
@@ -115,6 +135,7 @@ class FrictionSweep final : public Swept {
   wedged::SweepParameters parameters_;
   wedged::SweepFindings found_;
   wedged::ExactTest exact_;  // of its counts
+  std::optional<ListCertificates> certificates_;
 };
 
 std::vector<wedged::ConeCount> FrictionSweep::counts() const {
@@ -276,8 +297,9 @@ answer::Verdict FrictionSweep::verdict() const {
     steps.displacement_ratio = exact_.displacement_ratio;
   }
   answer::Verdict verdict{.ended = found_.status, .answer = steps};
-  if (!options_.certificates.empty() && !exact_.done)
-    verdict.missing.emplace_back(answer::not_all_certificates);
+  if (options_.certificates.empty()) return verdict;
+  const auto missing = certificates_ ? certificates_->missing() : lists_not_tested();
+  if (missing) verdict.missing.push_back(*missing);
   return verdict;
 }
 

@@ -247,7 +247,9 @@ answer::Verdict LoadSweep::verdict() const {
       std::ranges::count(found_.statements, true, &std::vector<verify::LimitStatement>::empty);
   if (without > 0)
     verdict.missing.push_back(
-        answer::no_certificate_at(static_cast<std::size_t>(without), found_.statements.size()));
+        answer::no_certificate_of(static_cast<std::size_t>(without),
+                                  answer::counted(found_.statements.size(), "computed half-width"),
+                                  answer::not_all_is_proved));
   return verdict;
 }
 

@@ -278,7 +278,7 @@ Command sweep_friction() {
              .answer = with([](auto& found) {
                std::tie(found.infeasible, found.count) = std::pair(std::nullopt, 0);
              }),
-             .missing = {not_all_certificates}}}}};
+             .missing = {no_certificate("the lists were not tested")}}}}};
 }
 
 Command sweep_loads() {
@@ -311,7 +311,7 @@ Command sweep_loads() {
        {"stopped, with `--certificate`",
         {.ended = engine::Status::time_limit,
          .answer = two,
-         .missing = {no_certificate_at(1, 2)}}}}};
+         .missing = {no_certificate_of(1, "2 computed half-widths", not_all_is_proved)}}}}};
 }
 
 Command limit() {
