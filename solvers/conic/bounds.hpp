@@ -262,6 +262,30 @@ class Bounds {
     return examine(sets, friction, y, w).tau;
   }
 
+  /// Rows whose forces an equilibrium correction may change.
+  static std::vector<int> force_rows(const NodeSets& sets) {
+    std::vector<int> rows(sets.gap_rows.begin(), sets.gap_rows.end());
+    rows.insert(rows.end(), sets.contact_rows.begin(), sets.contact_rows.end());
+    return rows;
+  }
+
+  /// Of these, the largest change: |y_j| on the gap rows, the largest of all for a force that may have
+  /// either sign.
+  template <class Multipliers>
+  [[nodiscard]] std::vector<double> force_sizes(const NodeSets& sets, const Multipliers& y) const {
+    std::vector<double> sizes;
+    sizes.reserve(sets.gap_rows.size() + sets.contact_rows.size());
+    double largest = 0;
+    for (const int j : sets.gap_rows) {
+      sizes.push_back(std::abs(numbers::rounded(Real(y[j]))));
+      largest = std::max(largest, sizes.back());
+    }
+    for (const int i : sets.contact_rows)
+      largest = std::max(largest, std::abs(numbers::rounded(Real(y[i]))));
+    sizes.insert(sizes.end(), sets.contact_rows.size(), largest);
+    return sizes;
+  }
+
  private:
   struct Reach {
     double tau = infinity;
@@ -350,28 +374,11 @@ class Bounds {
                 motion * motions_.noise(rounding_) / motions_.min_root()};
   }
 
-  /// |y_j| on the gap rows; the magnitude for a force that may have either sign.
-  template <class Multipliers>
-  [[nodiscard]] std::vector<double> force_sizes(const NodeSets& sets, const Multipliers& y) const {
-    std::vector<double> sizes;
-    sizes.reserve(sets.gap_rows.size() + sets.contact_rows.size());
-    double largest = 0;
-    for (const int j : sets.gap_rows) {
-      sizes.push_back(std::abs(numbers::rounded(Real(y[j]))));
-      largest = std::max(largest, sizes.back());
-    }
-    for (const int i : sets.contact_rows)
-      largest = std::max(largest, std::abs(numbers::rounded(Real(y[i]))));
-    sizes.insert(sizes.end(), sets.contact_rows.size(), largest);
-    return sizes;
-  }
-
   /// Relative change of the normal forces by the equilibrium correction, including the contribution
   /// of the cuts; more than 1 if equilibrium is impossible.
   template <class Multipliers>
   [[nodiscard]] double balance(const NodeSets& sets, const Multipliers& y) const {
-    std::vector<int> rows(sets.gap_rows.begin(), sets.gap_rows.end());
-    rows.insert(rows.end(), sets.contact_rows.begin(), sets.contact_rows.end());
+    const std::vector<int> rows = force_rows(sets);
     Vector load = Vector::Zero(normal_motions_.cols());
     bool all = true;
     double total = 0;

@@ -341,11 +341,18 @@ auto InteriorPoint<D, Real>::project(const Program& program) -> const Points& {
 }
 
 template <int D, class Real>
-auto InteriorPoint<D, Real>::project_again(const Vector& discrepancy, const Program& program)
-    -> const Points& {
+auto InteriorPoint<D, Real>::solve_residual(const Vector& discrepancy, const Program& program)
+    -> Vector {
   trial_ = discrepancy;
   solve(trial_);
-  if (motion_.size() > 0) motion_ += balance(program, trial_);
+  return motion_.size() > 0 ? balance(program, trial_) : Vector();
+}
+
+template <int D, class Real>
+auto InteriorPoint<D, Real>::project_again(const Vector& discrepancy, const Program& program)
+    -> const Points& {
+  const Vector motion = solve_residual(discrepancy, program);
+  if (motion_.size() > 0) motion_ += motion;
   shift_projected(program, trial_);
   return projected_;
 }
@@ -353,9 +360,7 @@ auto InteriorPoint<D, Real>::project_again(const Vector& discrepancy, const Prog
 template <int D, class Real>
 auto InteriorPoint<D, Real>::correction(const Vector& discrepancy, const Program& program,
                                         Vector& motion) -> const Points& {
-  trial_ = discrepancy;
-  solve(trial_);
-  if (motion_.size() > 0) motion = balance(program, trial_);
+  motion = solve_residual(discrepancy, program);
   projected_.setZero();
   shift_projected(program, trial_);
   return projected_;

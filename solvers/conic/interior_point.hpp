@@ -141,6 +141,8 @@ class InteriorPoint {
   bool solve_modes(const Program& program, const Vector& unbalanced);
   // Corrects a solution M^-1 g such that H'y = 0; returns alpha.
   Vector balance(const Program& program, Vector& solution);
+  // Weights of a residual into trial_; returns their alpha, if there are modes.
+  Vector solve_residual(const Vector& discrepancy, const Program& program);
   // Subtracts M^-1 H motion.
   void subtract(const Program& program, const Vector& motion, Vector& solution);
 

@@ -278,8 +278,8 @@ void NodeSolver<D, Real>::examine_point(NodeSolver<D, Longer>& judge, ConicResul
   }
 }
 
-// The multipliers of an unconstrained body prove nothing unless H'y = 0. Those of gaps change in
-// proportion to their size, those of U, which may have either sign, by any part of the largest one.
+// The multipliers of an unconstrained body prove nothing unless H'y = 0: each changes by a part of its
+// largest change.
 template <int D, class Real>
 template <class Longer>
 void NodeSolver<D, Real>::examine_multipliers(NodeSolver<D, Longer>& judge,
@@ -288,13 +288,10 @@ void NodeSolver<D, Real>::examine_multipliers(NodeSolver<D, Longer>& judge,
   VectorOf<Longer> y = VectorOf<Longer>::Zero(judge.best_.size());
   y.head(program_.first_cut()) = best_.head(program_.first_cut()).template cast<Longer>();
   if (program_.motions().count() > 0) {
-    std::vector<int> rows(sets.gap_rows.begin(), sets.gap_rows.end());
-    rows.insert(rows.end(), sets.contact_rows.begin(), sets.contact_rows.end());
-    Eigen::VectorXd sizes(static_cast<Eigen::Index>(rows.size()));
-    for (std::size_t place = 0; place < rows.size(); ++place)
-      sizes[static_cast<Eigen::Index>(place)] = std::abs(numbers::rounded(best_[rows[place]]));
-    const auto gaps = static_cast<Eigen::Index>(sets.gap_rows.size());
-    sizes.tail(sizes.size() - gaps).setConstant(sizes.size() == 0 ? 0 : sizes.maxCoeff());
+    const std::vector<int> rows = Bounds<D, Longer>::force_rows(sets);
+    const std::vector<double> each = judge.bounds_.force_sizes(sets, y);
+    const Eigen::Map<const Eigen::VectorXd> sizes(each.data(),
+                                                  static_cast<Eigen::Index>(each.size()));
     const auto& lifts = judge.program_.normal_motions();
     const Eigen::MatrixXd shares =
         sizes.asDiagonal() * lifts(rows, Eigen::all).template cast<double>();
