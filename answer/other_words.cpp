@@ -56,8 +56,8 @@ std::string no_certificate(const std::string& why) {
 
 std::string no_certificate_of(std::size_t without, const std::string& all, const std::string& why) {
   return fmt::format(
-      "No certificate was written for {} of {}, since {}; an older file is unchanged.", without, all,
-      why);
+      "No certificate was written for {} of {}, since {}; an older file is unchanged.", without,
+      all, why);
 }
 
 std::string factor_claim(const CertificateCheck::Factor& factor) {
