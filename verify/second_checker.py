@@ -315,15 +315,13 @@ class Block:
     """A decoupled block with modes G: K is replaced by P K P, P the projection onto the complement of the modes. F,
     with u = F f for forces f in equilibrium and G'u = 0, is the upper left part of the inverse of [K G; G' 0], and any
     multiple of G G' may be added to K. Candidates are counted within the block, but for `candidates`. Loads of a
-    theorem are tuples: share of the dead load, forces on the candidates, clearances, and what a restriction of the sum
-    of the normal reactions adds to L."""
+    theorem are tuples: share of the dead load, forces on the candidates, clearances, and what cuts and a restriction of
+    the sum of the normal reactions add to L."""
 
     def __init__(self, dimension, candidates, stiffness, motions, friction):
         self.d, self.candidates, self.K, self.G, self.mu = dimension, candidates, stiffness, motions, friction
         self.m, self.n, self.q = len(candidates), dimension * len(candidates), len(motions[0]) if motions else 0
-        self.columns, self.trace, self.far = {}, None, False
-        self.contact, self.separated = [Fraction(1)] * self.m, [Fraction(0)] * self.m  # B and A of the cuts
-        self.never = {"contact": set(), "separated": set()}
+        self.columns, self.trace = {}, None
         self.held, self.wedged, self.solid = [], set(), False
         self.GG = [[sum(g[i] * g[j] for g in self.G) for j in range(self.q)] for i in range(self.q)]
         for g in zip(*self.G):
@@ -527,33 +525,6 @@ class Block:
                     return True
         return False
 
-    def no_state_by_cuts(self, contact, separated, y, a, eta, low=None, add=None):
-        """As no_state, with the cuts A_k u_nk + B_k r_nk <= sum of the normal reactions, eta their multipliers, and
-        with all that earlier lines prove of every wedged configuration: proofs.md, "Bounds of candidates, and cuts"."""
-        if any(x < 0 for x in eta):
-            raise Refused("a multiplier of a cut is negative")
-        contact, separated = contact | self.never["separated"], separated | self.never["contact"]
-        if contact & separated or len(separated) == self.m:
-            return self.far
-        low = [x - e * A for x, e, A in zip(low or [Fraction(0)] * self.m, eta, self.separated)]
-        add = [x + sum(eta) - e * B for x, e, B in zip(add or [Fraction(0)] * self.m, eta, self.contact)]
-        return self.no_state(contact, separated, y, a, low, add, [], False) or self.far
-
-    def prove_bound(self, k, side, beta, y, a, eta, theta):
-        """A bound of candidate k, or with beta None that it is never on this side; later statements use it."""
-        low, add = [Fraction(0)] * self.m, [Fraction(0)] * self.m
-        if beta is not None:
-            if beta <= 0 or theta <= 0:
-                raise Refused("the bound or the multiplier of its negation is not positive")
-            add = [-theta * beta] * self.m
-            (add if side == "contact" else low)[k] += theta
-        self.far = self.no_state_by_cuts(*(({k}, set()) if side == "contact" else (set(), {k})), y, a, eta, low, add)
-        if beta is None:
-            self.never[side].add(k)
-        else:
-            values = self.contact if side == "contact" else self.separated
-            values[k] = max(values[k], 1 / beta)
-
     def prove_form(self, numbers):
         """No wedged configuration of the block, by a quadratic form of x = (r, a): proofs.md, "A quadratic form"."""
         d, m, n, take = self.d, self.m, self.n, iter(numbers)
@@ -595,10 +566,61 @@ class Block:
 class Theorem:
     """`none`: no state of a block is under a load of a cone; without loads, it has no other wedged pattern."""
 
-    def __init__(self, line, block, loads, bound, excepted):
-        self.line, self.block, self.loads, self.bound = line, block, loads, bound  # bound: of the normal reactions
+    def __init__(self, line, block, loads, weights, bound, total, excepted):
+        self.line, self.block, self.loads = line, block, loads
         self.excepted = excepted  # states under the dead load alone
+        self.weights, self.bound = weights, bound  # of the loads in s, or none; of the normal reactions
+        self.side, self.sum = bound or ("", total if loads else None)  # of a restriction of the sum
         self.nodes, self.far, self.complete = {}, False, False
+        self.cuts = {"contact": {}, "separated": {}}  # B and A of the cuts, where they are not 1 and 0
+        self.never, self.near_only = {"contact": set(), "separated": set()}, False  # a bound leaves far states out
+
+    def count(self, cuts):
+        """How many numbers the proof of a node has."""
+        return self.block.m * (2 if cuts else 1) + self.block.q + (self.sum is not None)
+
+    def no_state(self, contact, separated, numbers, cuts, opposite=None):
+        """Raises Refused unless no state is below a node. True if large displacements are left out. With cuts, A_k v_nk
+        + B_k r_nk <= s, all that earlier lines prove of the states of this theorem is used, and the opposite of a bound
+        (candidate, side, beta, multiplier) may be assumed: proofs.md, "Bounds of candidates, and cuts"."""
+        block, m, q = self.block, self.block.m, self.block.q
+        y, a, rest = numbers[:m], numbers[m:m + q], numbers[m + q:]
+        theta = rest.pop(0) if self.sum is not None else Fraction(0)
+        if (self.side == "above" and theta < 0) or (self.side == "below" and theta > 0):
+            raise Refused("the multiplier of the sum has the wrong sign")
+        low, add, of_sum, eta = [Fraction(0)] * m, [theta] * m, Fraction(0), rest if cuts else []
+        if any(x < 0 for x in eta):
+            raise Refused("a multiplier of a cut is negative")
+        if cuts:
+            contact, separated = contact | self.never["separated"], separated | self.never["contact"]
+            if contact & separated:
+                return self.near_only
+            low, of_sum = [-e * self.cuts["separated"].get(k, 0) for k, e in enumerate(eta)], sum(eta)
+            add = [x - e * self.cuts["contact"].get(k, 1) for k, (x, e) in enumerate(zip(add, eta))]
+            if opposite:
+                k, side, beta, own = opposite
+                of_sum -= own * beta
+                (add if side == "contact" else low)[k] += own
+        if not self.loads and len(separated) == m:
+            return cuts and self.near_only
+        of_grip = -theta * (self.sum or 0)
+        loads = [(D and not (self.excepted and factor == 0), *block.load(D, factor), of_sum * c + of_grip * D)
+                 for (D, factor), c in zip(self.loads, self.weights or [0] * len(self.loads))]
+        far = block.no_state(contact, separated, y, a, low, [x + of_sum for x in add], loads,
+                             loads and not cuts and theta == 0)
+        return far or (cuts and self.near_only)
+
+    def prove_bound(self, k, side, beta, numbers):
+        """A bound of candidate k, or with beta None that it is never on this side; later statements use it."""
+        own = numbers.pop() if beta is not None else None
+        if beta is not None and (beta <= 0 or own <= 0):
+            raise Refused("the bound or the multiplier of its negation is not positive")
+        node = ({k}, set()) if side == "contact" else (set(), {k})
+        self.near_only = self.no_state(*node, numbers, True, None if beta is None else (k, side, beta, own))
+        if beta is None:
+            self.never[side].add(k)
+        else:
+            self.cuts[side][k] = max(self.cuts[side].get(k, Fraction(side == "contact")), 1 / beta)
 
 
 class Contact(Certificate):
@@ -670,8 +692,11 @@ class Contact(Certificate):
             words = reader.take("none", least=2)
             block = self.blocks[reader.whole(words[0], 1, len(self.blocks) + 1) - 1]
             numbers, rest = reader.groups([*words[1:], ""], 2)
-            numbers, rest, bound = reader.reals(numbers), rest[:-1], None
+            numbers, rest, bound, weights = reader.reals(numbers), rest[:-1], None, []
             loads = list(zip(numbers[::2], numbers[1::2]))
+            if loads and rest[:1] == ["weights"]:
+                weights, rest = reader.reals(rest[1:1 + len(loads)], len(loads)), rest[1 + len(loads):]
+                reader.check(min(weights) > 0, "weights above 0")
             reader.check(all(D in (0, 1) and (D or R) for D, R in loads) and (self.loaded or not loads),
                          "loads, not zero")
             excepted = rest == ["except", "dead"]
@@ -681,7 +706,7 @@ class Contact(Certificate):
                 reader.check(len(rest) == 2 and loads and not self.total, "a bound of the sum, without a total")
                 bound = reader.choice(rest[0], "above", "below"), reader.real(rest[1])
                 reader.check(bound[1] >= 0, "a sum that is not negative")
-            self.theorems.append(Theorem(reader.at, block, loads, bound, excepted))
+            self.theorems.append(Theorem(reader.at, block, loads, weights, bound, self.total, excepted))
             if not loads:
                 reader.check(block not in self.of_wedged, "one such theorem of a block")
                 self.of_wedged[block] = self.theorems[-1]
@@ -689,13 +714,13 @@ class Contact(Certificate):
 
     def read_bound(self, reader):
         key, words = reader.take("bound", "never", least=3)
-        block = self.blocks[reader.whole(words[0], 1, len(self.blocks) + 1) - 1]
-        at, side, m, q = reader.whole(words[1]), reader.choice(words[2], "contact", "separated"), block.m, block.q
-        reader.check(at in block.candidates, "a candidate of the block")
-        numbers = reader.reals(words[3:], 2 * m + q + 2 * (key == "bound"))
-        beta, theta = (numbers.pop(0), numbers.pop()) if key == "bound" else (None, None)
-        self.attempt(reader.at, block.prove_bound, block.candidates.index(at), side, beta, numbers[:m],
-                     numbers[m:m + q], numbers[m + q:], theta)
+        theorem = self.theorems[reader.whole(words[0], 1, len(self.theorems) + 1) - 1]
+        at, side = reader.whole(words[1]), reader.choice(words[2], "contact", "separated")
+        reader.check(at in theorem.block.candidates, "a candidate of the block")
+        reader.check(theorem.weights or not theorem.loads, "a theorem with weights of its loads")
+        numbers = reader.reals(words[3:], theorem.count(True) + 2 * (key == "bound"))
+        beta = numbers.pop(0) if key == "bound" else None
+        self.attempt(reader.at, theorem.prove_bound, theorem.block.candidates.index(at), side, beta, numbers)
 
     def read_evidence(self, reader, key, words):
         line, first, of_state = reader.at, 3 if key == "held" else 1, key in ("wedged", "held")
@@ -722,14 +747,15 @@ class Contact(Certificate):
                 free = [k * self.d + j for k in contact for j in range(self.d if block.mu[k] else 1)]
                 block.solid = block.solid or not null_space([block.G[i] for i in free] if q else [], q)
         else:
-            reader.check(key in ("infeasible", "marginal") or not theorem.loads, "a theorem without loads")
+            reader.check(key in ("infeasible", "marginal") or not theorem.loads or (key == "cut" and theorem.weights),
+                         "a theorem without loads, or with their weights")
             reader.check(key != "form" or not U | R, "two empty sets")
-            theta = bool(theorem.loads and (theorem.bound or self.total))
-            expected = {"infeasible": m + q + theta, "cut": 2 * m + q, "form": m * m * (self.d + bool(q)) + m}
+            expected = {"infeasible": theorem.count(False), "cut": theorem.count(True),
+                        "form": m * m * (self.d + bool(q)) + m}
             reader.check(len(numbers) == expected.get(key, 0), f"{expected.get(key, 0)} numbers")
         # Of the statements about a node the first is used, and the others must agree with it.
         claim = key if key in ("wedged", "marginal") else "infeasible"
-        theorem = theorem or self.of_wedged.setdefault(block, Theorem(line, block, [], None, False))
+        theorem = theorem or self.of_wedged.setdefault(block, Theorem(line, block, [], [], None, None, False))
         known = theorem.nodes.get(node)
         theorem.nodes.setdefault(node, claim)
         if known:
@@ -739,26 +765,10 @@ class Contact(Certificate):
             if not theorem.loads and q and block.unloaded(contact, separated):
                 theorem.nodes[node] = "unloaded"
         elif key != "wedged":
-            far = self.attempt(line, self.prove_node, key, theorem, contact, separated, numbers)
+            far = (self.attempt(line, lambda: bool(block.prove_form(numbers))) if key == "form" else
+                   self.attempt(line, theorem.no_state, contact, separated, numbers, key == "cut"))
             theorem.nodes[node] = "refused" if far is None else claim
             theorem.far = theorem.far or bool(far)
-
-    def prove_node(self, key, theorem, contact, separated, numbers):
-        """Whether large displacements are left out."""
-        block, m, q = theorem.block, theorem.block.m, theorem.block.q
-        if key == "form":
-            return bool(block.prove_form(numbers))
-        y, a, rest = numbers[:m], numbers[m:m + q], numbers[m + q:]
-        if key == "cut":
-            return block.no_state_by_cuts(contact, separated, y, a, rest)
-        if not theorem.loads and len(separated) == m:
-            return False
-        theta, (side, limit) = rest[0] if rest else Fraction(0), theorem.bound or ("", self.total)
-        if (side == "above" and theta < 0) or (side == "below" and theta > 0):
-            raise Refused("the multiplier of the sum has the wrong sign")
-        loads = [(D and not (theorem.excepted and factor == 0), *block.load(D, factor), -theta * D * (limit or 0))
-                 for D, factor in theorem.loads]
-        return block.no_state(contact, separated, y, a, [Fraction(0)] * m, [theta] * m, loads, loads and theta == 0)
 
     def conclusion(self):
         """The sentence and the exit code."""
@@ -777,7 +787,7 @@ class Contact(Certificate):
                 self.refusals.append((0, "neither theorems nor a wedged configuration that is proved"))
             return f"PROVED: it can stick, by {patterns}; other patterns are not decided", 0
         claims = [claim for theorem in self.theorems for claim in theorem.nodes.values()]
-        far = FAR if any(t.far for t in self.theorems) or any(block.far for block in self.blocks) else ""
+        far = FAR if any(t.far for t in self.theorems) else ""
         marginal = claims.count("marginal")
         if marginal == len(claims):
             return "NOTHING PROVED: all nodes are marginal, and the certificate claims nothing about them", 3
@@ -838,7 +848,7 @@ class Contact(Certificate):
             sums = [total for _, D, factor, total in block.held if D and factor == 0]
             if not block.acts[0]:
                 sums, wedged = [Fraction(0)], self.of_wedged.get(block)
-                if wedged and wedged.complete and not block.wedged and not wedged.far and not block.far:
+                if wedged and wedged.complete and not block.wedged and not wedged.far:
                     bounds["above"].append(Fraction(0))
             below.append(max(bounds["below"]))
             above.append(min(bounds["above"], default=None))

@@ -36,7 +36,7 @@ from structure import Mechanism
 MOST, EACH = 4, 50
 #: Relative room of ends of ranges, whose decimals are rounded; with a total, which states have up to a tolerance.
 NEAR, NEAR_TOTAL = 1e-9, 3e-5
-CALLS = ("patterns --mu {mu}", "critical", "critical --cuts always", "hold --mu {mu} --grip", "hold --mu {less}", "hold --mu {mu} --total {total}", "hold")
+CALLS = ("patterns --mu {mu}", "critical", "critical --cuts always", "hold --mu {mu} --grip", "hold --mu {less}", "hold --mu {mu} --total {total}", "hold", "hold --mu {mu} --cuts always", "hold --mu {mu} --total {total} --cuts always")
 
 
 def _plain(rng):
@@ -85,11 +85,11 @@ class Truth(hold.Loaded):
         return self.intervals(1, total) if what == "factors" else self.sums(1)
 
     @lru_cache(10000)
-    def below(self, friction, block, shares, limit, contact, separated, solid):
+    def below(self, friction, block, shares, limit, contact, separated, solid, opposite):
         """True if the states below a node satisfy what its patterns have in common: wedged configurations without shares. A
         theorem with a share of the dead load says nothing of states without it.
-        @param limit ("above", "below" or "equal", sum), or ("contact" or "separated", candidate, bound) that is exceeded
-        @param solid in the interior"""
+        @param limit ("above", "below" or "equal", sum) @param solid in the interior
+        @param opposite ("contact" or "separated", candidate, bound, weights of the loads): the bound is exceeded"""
         program, last = Program(), 2 * self.candidates
         numbers = [i for i in range(self.candidates) if block >> i & 1]
         margin = program.column(upper=1, cost=-float(solid))
@@ -128,19 +128,21 @@ class Truth(hold.Loaded):
         row("LG", {j: 1 for j, *_ in some}, 0, 1)
         if limit and limit[0] in ("above", "below", "equal"):
             row({"above": "G", "below": "L", "equal": "LG"}[limit[0]], sums | {j: -Fraction(limit[1]) * dead for j, dead, _ in loads}, 0)
-        elif limit and limit[0] != "except":
-            terms = {j: 1 for j, k, _ in edges if k == limit[1]} if limit[0] == "contact" else displacement(limit[1])
-            row("G", {j: terms.get(j, 0) - Fraction(limit[2]) * sums.get(j, 0) for j in terms | sums}, 0)
+        if opposite:
+            side, candidate, bound, weights = opposite
+            terms = {j: 1 for j, k, _ in edges if k == candidate} if side == "contact" else displacement(candidate)
+            whole = sums | {j: Fraction(weight) for (j, *_), weight in zip(loads, weights)}
+            row("G", {j: terms.get(j, 0) - Fraction(bound) * whole.get(j, 0) for j in terms | whole}, 0)
         status, value = exact_optimum(program)
         return status != INFEASIBLE and (not solid or value < -1e-18)
 
-    def has(self, friction, block, shares=(), limit=None, contact=0, separated=0, solid=False):
+    def has(self, friction, block, shares=(), limit=None, contact=0, separated=0, solid=False, opposite=None):
         """True if some pattern below a node has such a state."""
         left = block & ~(contact | separated)
         one = left & -left
-        return self.below(friction, block, shares, limit, contact, separated, solid) and (
-            not left or self.has(friction, block, shares, limit, contact | one, separated, solid)
-            or self.has(friction, block, shares, limit, contact, separated | one, solid))
+        return self.below(friction, block, shares, limit, contact, separated, solid, opposite) and (
+            not left or self.has(friction, block, shares, limit, contact | one, separated, solid, opposite)
+            or self.has(friction, block, shares, limit, contact, separated | one, solid, opposite))
 
 
 def _floats(words):
@@ -153,11 +155,12 @@ def _words(*parts):
 
 @dataclass
 class Item:
-    """A line: `none`, `bound` or `never`, or one of the evidence, owned by the theorem, a state by the block, of this number."""
+    """A line: `none`, `bound` or `never`, or one of the evidence, owned by the theorem, a theorem and a state by the block, of this number."""
     kind: str
     owner: int
     shares: tuple = ()
     grip: tuple = ()
+    weights: tuple = ()
     contact: int = 0
     separated: int = 0
     candidate: int = 0
@@ -176,6 +179,8 @@ class Item:
         count = {"none": int(rest.pop(0)) if kind == "none" else 0, "held": 1}.get(kind, 0)
         own.shares, rest = tuple(zip(_floats(rest[:2 * count:2]), _floats(rest[1:2 * count:2]))), rest[2 * count:]
         if kind == "none":
+            if rest[:1] == ["weights"]:
+                own.weights, rest = tuple(_floats(rest[1:1 + count])), rest[1 + count:]
             own.grip = tuple(float.fromhex(word) if word.startswith("0x") else word for word in rest)
         elif kind in ("bound", "never"):
             own.candidate, own.side, own.numbers = int(rest[0]), rest[1], _floats(rest[2:])
@@ -186,7 +191,7 @@ class Item:
 
     def text(self):
         loads = [x for share in self.shares for x in share]
-        words = {"none": (len(self.shares), *loads, *self.grip), "bound": (self.candidate, self.side, self.maximum), "never": (self.candidate, self.side)}
+        words = {"none": (len(self.shares), *loads, *(("weights", *self.weights) if self.weights else ()), *self.grip), "bound": (self.candidate, self.side, self.maximum), "never": (self.candidate, self.side)}
         return _words(self.kind, self.owner, *words.get(self.kind, (*loads, f"{self.contact:x}", f"{self.separated:x}")), *self.numbers)
 
 
@@ -216,26 +221,31 @@ class Certificate:
         for theorem in self.theorems:
             theorem.owner, theorem.shares = min(theorem.owner, len(self.blocks)), theorem.shares[:2] if self.loads else ()
             theorem.grip = theorem.grip if theorem.shares and self.total is None else ()
-        self.bounds = [bound for bound in self.bounds if bound.candidate < len(self.names)]
+            theorem.weights = (theorem.weights + (1.0,))[:len(theorem.shares)] if theorem.weights else ()
+        cuts = [None, *(len(theorem.weights) == len(theorem.shares) for theorem in self.theorems)]  # allowed
+        for bound in self.bounds if self.theorems else ():
+            bound.owner = min(bound.owner, len(self.theorems))
+            block = self.blocks[self.theorems[bound.owner - 1].owner - 1]
+            bound.candidate = bound.candidate if block >> bound.candidate & 1 else (block & -block).bit_length() - 1
+        self.bounds = [bound for bound in self.bounds if self.theorems and cuts[bound.owner]]
         self.evidence = [line for line in self.evidence if line.is_state or self.theorems]
         for line in self.bounds + self.evidence:
-            if line.side:
-                line.owner = next(b for b, block in enumerate(self.blocks, 1) if block >> line.candidate & 1)
             line.kind = "wedged" if line.kind == "held" and not self.loads else line.kind
             line.shares = (line.shares or ((1.0, 0.0),))[:1] if line.kind == "held" else ()
-            line.owner = min(line.owner, len(self.blocks if line.is_state or line.side else self.theorems))
-            theorem = Item("none", line.owner) if line.is_state or line.side else self.theorems[line.owner - 1]
-            line.kind = "infeasible" if line.kind in ("cut", "form") and theorem.shares else line.kind
+            line.owner = min(line.owner, len(self.blocks if line.is_state else self.theorems))
+            theorem = Item("none", line.owner) if line.is_state else self.theorems[line.owner - 1]
+            line.kind = "infeasible" if line.kind == "form" and theorem.shares or line.kind == "cut" and not cuts[line.owner] else line.kind
             block, modes = self.blocks[theorem.owner - 1], modes_of[theorem.owner - 1]
             m = block.bit_count()
             line.contact &= block if line.kind != "form" else 0
             line.separated = block & ~line.contact & (-1 if line.is_state else 0 if line.kind == "form" else line.separated)
             limited = theorem.grip[:1] in (("above",), ("below",)) or (self.total is not None and theorem.shares != ())
-            size = {"infeasible": m + modes + limited, "cut": 2 * m + modes, "never": 2 * m + modes, "bound": 2 * m + modes + 1, "marginal": 0,
+            plain = m + modes + limited
+            size = {"infeasible": plain, "cut": plain + m, "never": plain + m, "bound": plain + m + 1, "marginal": 0,
                     "form": (2 + (modes > 0)) * m * m + m}.get(line.kind, line.contact.bit_count() + modes)
             line.numbers = (line.numbers + [0.0] * size)[:size]
             if line.side or line.kind == "cut":
-                line.numbers[m + modes:] = map(abs, line.numbers[m + modes:])
+                line.numbers[plain:] = map(abs, line.numbers[plain:])
             if line.kind == "bound":
                 line.numbers[-1] = line.numbers[-1] or 1.0
 
@@ -289,6 +299,7 @@ class Forger:
                 "separated": lambda: self.rng.choice((old, item.contact)) ^ self.candidate(), "candidate": lambda: self.rng.randrange(len(self.own.names)),
                 "shares": lambda: self.rng.choice((old[:1], old[1:], (*old[:1], self.share()), (self.share(),), (self.share(), self.share()))),
                 "grip": lambda: self.rng.choice((self.grip(), ({"above": "below", "below": "above"}[old[0]], old[1]) if old[:1] in (("above",), ("below",)) else ())),
+                "weights": lambda: self.rng.choice(((), (1.0,) * len(item.shares), tuple(self.rng.choice((1.0, 1e-3, 1e3, 0.5)) * x for x in old))),
                 "side": lambda: self.rng.choice(("contact", "separated")), "maximum": lambda: old * self.rng.choice((0.5, 0.99, 1 - 1e-9, 1e-3)),
                 "numbers": lambda: self.rng.choice(([number * x for x in old], [float(f"{x:.4g}") for x in old], list(self.pick(self.lines).numbers),
                                                     [number * x if i == at else x for i, x in enumerate(old)]))}[name]()
@@ -296,7 +307,7 @@ class Forger:
     def changed(self, item):
         """(name of a part, copy with another value of it)"""
         item, parts = copy.deepcopy(item), ("kind", "owner", "shares", "contact", "separated", "numbers", "numbers")
-        name = self.rng.choice({"none": ("owner", "shares", "shares", "grip")}.get(item.kind, ("kind", "candidate", "side", "maximum", "numbers") if item.side else parts))
+        name = self.rng.choice({"none": ("owner", "shares", "shares", "grip", "weights")}.get(item.kind, ("kind", "candidate", "side", "maximum", "numbers") if item.side else parts))
         setattr(item, name, self.other(item, name))
         return name, item
 
@@ -319,7 +330,8 @@ class Forger:
         items.pop(at)
         if items is self.own.theorems:
             self.own.evidence = [line for line in self.own.evidence if line.is_state or kept or line.owner != at + 1]
-            for line in self.own.evidence:
+            self.own.bounds = [line for line in self.own.bounds if kept or line.owner != at + 1]
+            for line in self.own.bounds + self.own.evidence:
                 line.owner -= not line.is_state and line.owner > at + 1
 
     def transplant(self):
@@ -369,6 +381,9 @@ class Forger:
             if self.rng.random() < 0.3:
                 nodes = [nodes[0]]
                 nodes[0].contact = nodes[0].separated = 0
+            self.own.bounds += [copy.deepcopy(line) for line in donor.bounds if line.owner == at]
+            for line in self.own.bounds[-sum(line.owner == at for line in donor.bounds) or len(self.own.bounds):]:
+                line.owner = number
         self.own.theorems.append(theorem)
         for node in nodes:
             node.owner = number
@@ -426,13 +441,17 @@ class Judge:
         node, theorem = {"contact": item.contact, "separated": item.separated}, item
         if item.is_state:
             return self.has(item.owner, item.shares, solid=not item.shares, **node)
-        if item.side:
-            limit = (item.side, item.candidate, item.maximum * (1 + 1e-12)) if item.kind == "bound" else None
-            node = {item.side: 1 << item.candidate}
-        else:
-            theorem = self.own.theorems[item.owner - 1]
-            limit = theorem.grip or (("equal", self.own.total) if self.own.total is not None and theorem.shares else None)
-        return self.far or item.kind == "marginal" or not self.has(theorem.owner, theorem.shares, limit, **node)
+        theorem = self.own.theorems[item.owner - 1]
+        limit = theorem.grip or (("equal", self.own.total) if self.own.total is not None and theorem.shares else None)
+        if self.far or item.kind == "marginal":
+            return True
+        if not item.side:
+            return not self.has(theorem.owner, theorem.shares, limit, **node)
+        # Of all states, those without a share of the dead load and wedged configurations as well.
+        limit, node = None if limit == ("except", "dead") else limit, {item.side: 1 << item.candidate}
+        cones = {part: [k for k, (dead, _) in enumerate(theorem.shares) if part == "all" or part == "rays" and not dead] for part in ("all", "rays", "none")}
+        return not any(self.has(theorem.owner, tuple(theorem.shares[k] for k in part), limit, **node, opposite=None if item.kind == "never" else (
+            item.side, item.candidate, item.maximum * (1 + 1e-12), tuple(theorem.weights[k] for k in part))) for part in cones.values())
 
     def false_lines(self, places):
         refused = {int(number) for number in re.findall(r":(\d+): refused", self.output)}
@@ -505,9 +524,14 @@ def honest(kusabi, toml, rng):
     mu, total, found = rng.choice((0.2, 0.5, 1.0, round(math.exp(rng.uniform(-1.4, 1.6)), 4))), rng.choice((1.0, rng.uniform(0.2, 3))), {}
     for call in CALLS:
         words = call.format(mu=mu, less=0.6 * mu, total=total).split()
-        kusabi.run(words[0], toml, *words[1:], "--serial", "--certificate", os.path.join(kusabi.folder, "cert"))
+        code, _, line = kusabi.run(words[0], toml, *words[1:], "--serial", "--certificate", os.path.join(kusabi.folder, "cert"))
+        if code not in (0, 3) and "load" not in line and "parts" not in line:
+            raise RuntimeError(f"{' '.join(words)}: exit code {code}: {line}")
         for place in sorted(pathlib.Path(kusabi.folder).glob("cert*")):
-            found[" ".join(words) + place.suffix] = Certificate(place.read_text())
+            own = Certificate(place.read_text())
+            # The programs of the truth bound all reactions.
+            if all(abs(x) < hold.LARGE_FORCE / 100 for line in own.evidence if line.is_state for x in line.numbers):
+                found[" ".join(words) + place.suffix] = own
             place.unlink()
     return found
 

@@ -6,7 +6,7 @@ digits. Certificates of all answers are verified.
     python3 bench/hostile/hold.py --kusabi build/kusabi --count 300 --seed 1 --found wrong/
     python3 bench/hostile/hold.py --kusabi build/kusabi --count 40 --space
 
-With --cuts always the trees, which are small, have bounds of their candidates, and there are no certificates. Prints each case in which `kusabi hold` differs. Exit code 0: none.
+With --cuts always the trees, which are small, have bounds of their candidates. Prints each case in which `kusabi hold` differs. Exit code 0: none.
 """
 import argparse
 import math
@@ -336,7 +336,7 @@ def examine(kusabi, seed, index, cuts, space):
     except Mechanism:
         return None
     wrong, open_answers = [], 0
-    further = ["--certificate", os.path.join(kusabi.folder, "cert")] if cuts == "auto" else ["--cuts", cuts]
+    further = ["--certificate", os.path.join(kusabi.folder, "cert"), "--cuts", cuts]
     what = f"hold --mu {case.mu} --grip"
     code, result, line = kusabi.run("hold", path, "--mu", repr(case.mu), "--grip", *further)
     if code == 2 and "there is no load" in line:  # they act on supports alone

@@ -1,9 +1,13 @@
 // Names of outputs from the rows of the call.
 #include "run/command/output_set.hpp"
 
+#include <filesystem>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "run/output/output_file.hpp"
+#include "run/output/wrong_input.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -12,6 +16,26 @@ namespace {
 std::string place_of(const OptionRow& row) {
   if (row.role == Role::output && row.given == standard_output) return standard_output_file;
   return row.given.value_or(std::string{});
+}
+
+// Refuses an output that a file of an output folder may replace.
+void check_folders(const OptionTable& table, const std::vector<NamedFile>& outputs) {
+  namespace fs = std::filesystem;
+  for (const auto& row : table.rows()) {
+    if (row.role != Role::folder || !row.given || row.given->empty()) continue;
+    const auto* const ending = row.name == "--vtu" ? ".vtu" : ".cert";
+    for (const auto& file : outputs) {
+      const fs::path path(file.name);
+      std::error_code fault;
+      if (file.option == row.name || path.extension() != ending ||
+          !fs::equivalent(path.has_parent_path() ? path.parent_path() : ".", *row.given, fault))
+        continue;
+      throw WrongInput(
+          fmt::format("{} {}: is in the folder of {}, whose files end in {}; expected "
+                      "another name",
+                      file.option, file.name, row.name, ending));
+    }
+  }
 }
 
 }  // namespace
@@ -40,6 +64,7 @@ void OutputSet::check(const std::string& input) const {
   }
   others.insert(others.end(), read_too.begin(), read_too.end());
   check_outputs(input, names(), others);
+  check_folders(table_, names());
 }
 
 void OutputSet::keep(Session& session, const std::vector<std::string>& read) const {

@@ -64,7 +64,8 @@ class BoundCertificate final : public wedged::BoundRecord {
     if (holds) {
       const bool one = claim == wedged::BoundClaim::one_pattern;
       file_.put_in_place(certificate_header(
-          problem_, friction_, one ? std::vector<std::string>() : list_theorems(problem_), bounds));
+          problem_, friction_, one ? std::vector<std::string>() : list_theorems(problem_),
+          one ? std::span<const wedged::ProvedBound>() : bounds));
       if (!quiet_) print_written({name_});
     }
   }

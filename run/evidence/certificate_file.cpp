@@ -26,7 +26,7 @@ void append(std::string& text, const Numbers& numbers) {
 void append_bound(std::string& text, const wedged::ProvedBound& bound) {
   const auto* const side = bound.side == wedged::Side::contact ? "contact" : "separated";
   const auto* const kind = bound.excludes_side() ? "never" : "bound";
-  text += fmt::format("{} {} {} {}", kind, bound.block + 1, bound.candidate, side);
+  text += fmt::format("{} {} {} {}", kind, bound.theorem + 1, bound.candidate, side);
   if (!bound.excludes_side()) text += fmt::format(" {:a}", bound.maximum);
   append(text, bound.numbers);
   text += '\n';

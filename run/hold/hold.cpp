@@ -60,21 +60,31 @@ class HoldCertificate final : public wedged::HoldRecord {
         friction_(wedged::friction_with_loads(loaded.problem, mu, 0)),
         file_(session, name, certificates.input, fingerprint, false) {}
 
-  void tree(std::uint32_t block, const wedged::TreeEvidence& tree) override {
+  bool tree(std::uint32_t block, const wedged::TreeEvidence& tree) override {
     auto line = fmt::format("none {} {}", block + 1, tree.shares.size());
     for (const auto& share : tree.shares)
       append_numbers(line, std::array{share.dead, share.reference});
+    if (!tree.weights.empty()) {
+      line += " weights";
+      append_numbers(line, tree.weights);
+    }
     if (const auto& grip = tree.grip; grip && grip->kind != wedged::GripRestriction::Kind::equal) {
       line +=
           fmt::format(" {} {:a}", grip_words.at(static_cast<std::size_t>(grip->kind)), grip->total);
     }
     if (tree.except_dead) line += " except dead";
+    for (auto bound : tree.bounds) {
+      bound.theorem = static_cast<std::uint32_t>(theorems_.size());
+      bounds_.push_back(std::move(bound));
+    }
     theorems_.push_back(line + '\n');
     for (const auto& node : tree.nodes.value()) {
-      line = fmt::format("infeasible {} {}", theorems_.size(), sets(node.pattern));
+      line = fmt::format("{} {} {}", node.by_cuts ? "cut" : "infeasible", theorems_.size(),
+                         sets(node.pattern));
       append_numbers(line, node.numbers);
       file_.add(std::string_view(line += '\n'));
     }
+    return true;
   }
 
   void state(std::uint32_t block, const std::optional<wedged::LoadShare>& share,
@@ -90,7 +100,8 @@ class HoldCertificate final : public wedged::HoldRecord {
   void finish() override {
     file_.close();
     if (!session_.is_first()) return;
-    file_.put_in_place(certificate_header(loaded_.problem, friction_, theorems_, {}, load_lines()));
+    file_.put_in_place(
+        certificate_header(loaded_.problem, friction_, theorems_, bounds_, load_lines()));
     if (!certificates_.quiet) print_written({name_});
   }
 
@@ -119,6 +130,7 @@ class HoldCertificate final : public wedged::HoldRecord {
   std::vector<double> friction_;
   CertificateFile file_;
   std::vector<std::string> theorems_;
+  std::vector<wedged::ProvedBound> bounds_;
 };
 
 // Empty if there is no name. Session and problem must outlive it.
@@ -192,7 +204,7 @@ void Hold::describe(OptionTable& table) {
       "--cuts", options_.parameters.tightening, cuts_words(),
       "cuts from bounds of the reaction and the gap of each candidate under the loads, added "
       "to every node: for large trees (auto), never (none), or always (always). The trees "
-      "of certificates and diagrams have none");
+      "of diagrams have none");
   table.output();
   table.csv_of("intervals, or of the vertices of the pieces");
   table.further_output("--svg", "SVG file of the pieces, or of the intervals");
@@ -273,10 +285,6 @@ void Hold::check() const {
     throw WrongInput(
         "--diagram: cannot be combined with --case, --total, --grip, --cuts or --certificate; "
         "expected --diagram alone");
-  }
-  if (tightening == wedged::Tightening::always && !options_.certificate.empty()) {
-    throw WrongInput(
-        "--cuts always: certificates have no bounds of candidates; expected --cuts auto or none");
   }
   if (options_.points.size() > 1 && (options_.diagram || !options_.certificate.empty())) {
     throw WrongInput(

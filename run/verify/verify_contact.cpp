@@ -242,6 +242,8 @@ std::string summary(const verify::Certificate& certificate, const verify::Proof&
                                     answer::counted(certificate.motions, "rigid-body mode")),
                   proof.min_eigenvalue()->nearest());
   const auto large = large_displacements_text(proved.except_large_displacements);
+  if (!certificate.bounds.empty() && certificate.loads)
+    text += fmt::format("bounds: {} {}\n", bounds, word);
   if (certificate.loads) {
     return text + fmt::format("nodes without a state: {} {}, of {}{}\nstates: {} {}\n",
                               proved.infeasible, word,

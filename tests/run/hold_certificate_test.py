@@ -8,6 +8,7 @@ import math
 import pathlib
 import random
 import re
+import subprocess
 import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
@@ -48,6 +49,10 @@ class HoldCertificate(KusabiCase):
         self.assertIn(run.returncode, (0, 3), run.stderr)
         return (self.folder / "cert").read_text() if "--mu" in words else None
 
+    def second_checked(self, name):
+        checker = SOURCES / "verify" / "second_checker.py"
+        return subprocess.run([sys.executable, checker, name], capture_output=True, check=False).returncode
+
     def verified(self, name, file):
         run = self.kusabi("verify", name, "--problem", file)
         return run, " ".join(run.stdout.split())
@@ -79,6 +84,58 @@ class HoldCertificate(KusabiCase):
         run = self.kusabi("hold", LADDER, "--mu", 0.4, "--node-limit", 1, "--certificate", self.folder / "new", "--output", self.result)
         self.assertEqual((run.returncode, (self.folder / "new").exists()), (3, False))
         self.assertIn("since the search ended early", " ".join(json.loads(self.result.read_text())["verdict"]["missing"]))
+
+    def test_bounds_of_candidates_are_proved_under_loads(self):
+        peg = (PEG, "--mu", "0.5"), [(-math.inf, -1.5), (1.5, math.inf)]
+        ladder = (LADDER, "--mu", "0.4"), [(LEAST, MOST)]
+        for call, truth in (ladder, peg):
+            text = self.written(*call, "--cuts", "always")
+            held, none, _ = self.proved(self.folder / "cert", call[0])
+            for found, exact in zip(held, truth, strict=True):
+                self.assertTrue(all(x == y or abs(x - y) < 1e-8 for x, y in zip(found, exact)), found)
+            self.assertRegex(text, r"(?m)^none 1 2 .* weights")
+            self.assertRegex(text, r"(?m)^cut 1 ")
+            self.assertIn("bounds: ", self.verified(self.folder / "cert", call[0])[1])
+            self.assertEqual(self.second_checked(self.folder / "cert"), 0)
+
+    def test_bounds_of_candidates_are_those_of_their_theorem(self):
+        body = without_digest(self.written(PEG, "--mu", "0.5", "--cuts", "always"))
+        forged, number = self.folder / "forged", r"-?0x\S+"
+        for pattern, change in (
+                (rf"(?m)^(bound \d+ \d+ separated ){number}", lambda m: m[1] + "0x1p-60"),  # smaller than proved
+                (rf"(?m)^(bound \d+ \d+ contact ){number}", lambda m: m[1] + "0x1p-20"),
+                (rf" weights ({number}) ({number})", lambda m: f" weights {float.hex(float.fromhex(m[1]) / 64)} {m[2]}"),
+                (r"(?m)^bound \d+ \d+ .*\n", lambda m: ""),  # of which others and nodes make use
+                (r"(?m)^bound 2 .*\n", lambda m: m[0].replace("bound 2", "bound 1", 1))):  # of another theorem
+            other = re.sub(pattern, change, body)
+            self.assertNotEqual(other, body, pattern)
+            forged.write_text(counted(re.sub(r"(?m)^bounds \d+", f"bounds {len(re.findall('(?m)^(?:bound|never) ', other))}", other)))
+            run, said = self.verified(forged, PEG)
+            self.assertEqual(run.returncode, 1, f"{pattern}: {said}")
+            self.assertEqual(self.second_checked(forged), 1, pattern)
+        forged.write_text(sealed(re.sub(r"(?m) weights .*", "", body)))
+        run, said = self.verified(forged, PEG)
+        self.assertEqual(run.returncode, 2, said)
+        self.assertIn("expected the number of a theorem without loads, or with their weights", " ".join(run.stderr.split()))
+        self.assertEqual(self.second_checked(forged), 2)
+
+    def test_bounds_of_candidates_are_proved_at_a_total(self):
+        text = (EXAMPLES / "wedge-in-groove.toml").read_text().replace("divisions = [4, 4]", "divisions = [1, 1]")
+        place = self.folder / "groove.toml"
+        place.write_text(text + '\n[[loads]]\nkind = "reference"\nnodes = ["block.0,1", "block.1,1"]\nforce = [0, 0.5]\n')
+        ends = []
+        for cuts in ("none", "always"):
+            self.written(place, "--mu", "0.4", "--total", "1", "--cuts", cuts)
+            ends.append(self.proved(self.folder / "cert", place)[:2])
+        self.assertRegex((self.folder / "cert").read_text(), r"(?m)^cut 1 ")
+        self.assertEqual(self.second_checked(self.folder / "cert"), 0)
+        for one, other in zip(sum(ends[0], []), sum(ends[1], []), strict=True):
+            self.assertTrue(all(x == y or abs(x - y) < 1e-8 for x, y in zip(one, other)), ends)
+
+    def test_a_resumed_run_has_the_same_bounds(self):
+        text = self.written(PEG, "--mu", "0.5", "--cuts", "always")
+        again = self.written(PEG, "--mu", "0.5", "--cuts", "always", "--resume", self.folder / "state")
+        self.assertEqual(sorted(again.splitlines()), sorted(text.splitlines()))
 
     def test_a_load_is_excluded_beside_wedged_parts(self):
         place = SOURCES / "tests" / "cases" / "load_beside_wedged_parts.toml"

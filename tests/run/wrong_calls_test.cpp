@@ -83,6 +83,9 @@ TEST_F(Command, RefusesInvalidCallsInOneLine) {
       {good + " --output /nowhere/at/all.json", "--output /nowhere/at/all.json: cannot be written"},
       {good + " --trace /nowhere/at/all.json", "--trace /nowhere/at/all.json: cannot be written"},
       {good + " --output " + quoted(folder_.string()), "--output " + folder_.string() + ": "},
+      {"sweep " + truss + " --alpha 10,20 --certificate " + quoted(in_folder("proofs")) +
+           " --csv " + quoted(in_folder("proofs/10.cert")),
+       "is in the folder of --certificate, whose files end in .cert; expected another name"},
       {good + " --serial=false", "--serial takes no value"},
       {good + " --node-limit 0", "--node-limit: '0', expected a whole number above 0"},
       {good + " --node-limit 1.5", "--node-limit: '1.5', expected a whole number above 0"},

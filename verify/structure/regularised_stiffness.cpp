@@ -104,6 +104,7 @@ std::optional<std::string> RegularisedStiffness::solve(std::span<const std::size
                                                        const Check& check) const {
   if (enclosed_) return solve_enclosed(unknowns, right, check);
   constexpr int max_rounds = 10;
+  constexpr double no_digit_more = 0x1p-140;  // further rounds change no digit that is kept
   const auto& middle = stiffness_.middle;
   const bool all = unknowns.size() == middle.size;
   const auto own = all ? std::optional<Cholesky>{} : factor(unknowns);
@@ -114,12 +115,17 @@ std::optional<std::string> RegularisedStiffness::solve(std::span<const std::size
   std::optional<std::string> refusal;
   std::vector<double> step(unknowns.size());
   std::vector<double> everywhere(middle.size, 0);
+  double first_size = 0;
   for (int round = 0; round < max_rounds; ++round) {
     for (std::size_t k = 0; k < unknowns.size(); ++k) {
       step[k] = (right[unknowns[k]] - kx[unknowns[k]]).nearest();
     }
     solver->solve(step);
     if (!all_finite(step)) return "its numbers are too large to compute with";
+    double size = 0;
+    for (const double each : step) size = std::max(size, std::abs(each));
+    if (round == 0) first_size = size;
+    if (round > 0 && size <= no_digit_more * first_size) break;
     for (std::size_t k = 0; k < unknowns.size(); ++k) everywhere[unknowns[k]] = step[k];
     if (round > 0) {
       x += DyadicList(everywhere, refined_bits);

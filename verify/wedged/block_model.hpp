@@ -51,6 +51,7 @@ struct ActingLoad {
   DyadicList gaps;        ///< g times that share, m
   Rationals work;         ///< on the modes, p
   bool excepted = false;  ///< states under it alone do not count
+  Dyadic weight{};        ///< c: its amount's share in the sum to which bounds refer
 };
 
 /// Grounding springs for the rigid-body modes: normal displacements of U as long as these are not

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "verify/wedged/form_proof.hpp"
@@ -12,73 +13,75 @@ namespace kusabi::verify {
 
 using support::IndexSet;
 
-BlockProof::BlockProof(ContactBlock block)
-    : model_(std::move(block)), bounds_(model_.candidates()) {}
+BlockProof::BlockProof(ContactBlock block) : model_(std::move(block)) {}
 
-Combination BlockProof::without_cuts(const IndexSet& contact, const IndexSet& separated,
-                                     std::span<const double> numbers) const {
-  return {.contact = contact,
-          .separated = separated,
-          .multipliers = numbers.first(model_.candidates()),
-          .mean = numbers.subspan(model_.candidates(), model_.motions())};
-}
-
-Combination BlockProof::with_cuts(const IndexSet& contact, const IndexSet& separated,
-                                  std::span<const double> numbers) const {
-  auto result = without_cuts(contact, separated, numbers);
+Combination BlockProof::combination(const Theorem& theorem, const IndexSet& contact,
+                                    const IndexSet& separated, std::span<const double> numbers,
+                                    bool cuts) const {
   const auto m = model_.candidates();
-  result.of_cuts = numbers.subspan(m + model_.motions(), m);
-  return result;
-}
-
-ProofResult BlockProof::prove_infeasible(const IndexSet& contact, const IndexSet& separated,
-                                         std::span<const double> numbers,
-                                         std::span<const LoadShare> shares,
-                                         const std::optional<GripTerm>& grip,
-                                         bool except_dead) const {
-  auto all = without_cuts(contact, separated, numbers);
-  for (const auto& share : shares) {
-    all.loads.push_back(model_.acting(share));
-    all.loads.back().excepted = except_dead && share == LoadShare{1, 0};
+  Combination all{.contact = contact,
+                  .separated = separated,
+                  .multipliers = numbers.first(m),
+                  .mean = numbers.subspan(m, model_.motions())};
+  auto rest = numbers.subspan(m + model_.motions());
+  if (theorem.grip) {
+    all.grip = GripTerm{theorem.grip->kind, theorem.grip->total, rest.front()};
+    rest = rest.subspan(1);
   }
-  all.grip = grip;
-  return InfeasibilityProof(model_, bounds_, std::move(all)).result();
+  if (cuts) all.of_cuts = rest.first(m);
+  for (std::size_t j = 0; j < theorem.shares.size(); ++j) {
+    const auto& share = theorem.shares[j];
+    auto& load = all.loads.emplace_back(model_.acting(share));
+    load.excepted = theorem.except_dead && share == LoadShare{1, 0};
+    if (cuts) load.weight = Dyadic(theorem.weights[j]);
+  }
+  return all;
 }
 
-ProofResult BlockProof::prove_by_cuts(const IndexSet& contact, const IndexSet& separated,
+ProofResult BlockProof::prove_infeasible(const Theorem& theorem, const IndexSet& contact,
+                                         const IndexSet& separated,
+                                         std::span<const double> numbers) const {
+  return InfeasibilityProof(model_, ProvedBounds(model_.candidates()),
+                            combination(theorem, contact, separated, numbers, false))
+      .result();
+}
+
+ProofResult BlockProof::prove_by_cuts(const Theorem& theorem, const ProvedBounds& bounds,
+                                      const IndexSet& contact, const IndexSet& separated,
                                       std::span<const double> numbers) const {
-  return prove_with_bounds(with_cuts(contact, separated, numbers));
+  return prove_with_bounds(combination(theorem, contact, separated, numbers, true), bounds);
 }
 
 ProofResult BlockProof::prove_by_form(std::span<const double> numbers) const {
   return verify::prove_by_form(model_, numbers);
 }
 
-std::optional<std::string> BlockProof::add_bound(std::size_t candidate, Side side,
-                                                 const std::optional<double>& maximum,
-                                                 std::span<const double> numbers) {
-  auto combination = with_cuts({}, {}, numbers);
-  (side == Side::contact ? combination.contact : combination.separated)
-      .insert(static_cast<int>(candidate));
+std::optional<std::string> BlockProof::add_bound(const Theorem& theorem,
+                                                 const CandidateBound& bound, std::size_t candidate,
+                                                 ProvedBounds& bounds) const {
+  const auto& [maximum, numbers] = std::tie(bound.maximum, bound.numbers);
+  auto all = combination(theorem, {}, {}, numbers, true);
+  (bound.side == Side::contact ? all.contact : all.separated).insert(static_cast<int>(candidate));
   if (maximum) {
     const double theta = numbers.back();
     if (!std::isfinite(*maximum) || *maximum <= 0 || !std::isfinite(theta) || theta <= 0) {
       return "a bound and the multiplier of its opposite must be above zero";
     }
-    combination.opposite = {candidate, side, Dyadic(theta), Dyadic(theta) * Dyadic(*maximum)};
+    all.opposite = {candidate, bound.side, Dyadic(theta), Dyadic(theta) * Dyadic(*maximum)};
   }
-  const auto proof_result = prove_with_bounds(std::move(combination));
+  const auto proof_result = prove_with_bounds(std::move(all), bounds);
   if (proof_result.refusal) return proof_result.refusal;
-  bounds_except_large_ = bounds_except_large_ || proof_result.except_large_displacements;
+  if (proof_result.except_large_displacements) bounds.leave_out_large_displacements();
   if (maximum) {
-    bounds_.limit(candidate, side, *maximum);
+    bounds.limit(candidate, bound.side, *maximum);
   } else {
-    bounds_.exclude(candidate, side);
+    bounds.exclude(candidate, bound.side);
   }
   return {};
 }
 
-ProofResult BlockProof::prove_with_bounds(Combination combination) const {
+ProofResult BlockProof::prove_with_bounds(Combination combination,
+                                          const ProvedBounds& bounds) const {
   const auto eta = combination.of_cuts;
   if (!all_finite(combination.multipliers) || !all_finite(combination.mean) || !all_finite(eta)) {
     return {"its numbers are too large to compute with"};
@@ -86,13 +89,14 @@ ProofResult BlockProof::prove_with_bounds(Combination combination) const {
   if (std::any_of(eta.begin(), eta.end(), [](double x) { return x < 0; })) {
     return {"a multiplier of a cut is negative"};
   }
-  combination.contact |= bounds_.in_contact();
-  combination.separated |= bounds_.separated();
-  // A candidate that must be on both sides excludes every configuration.
+  combination.contact |= bounds.in_contact();
+  combination.separated |= bounds.separated();
+  // A candidate that must be on both sides excludes every state.
   auto proof_result = combination.contact.meets(combination.separated)
                           ? ProofResult{}
-                          : InfeasibilityProof(model_, bounds_, std::move(combination)).result();
-  if (!proof_result.refusal && bounds_except_large_) proof_result.except_large_displacements = true;
+                          : InfeasibilityProof(model_, bounds, std::move(combination)).result();
+  if (!proof_result.refusal && bounds.except_large_displacements())
+    proof_result.except_large_displacements = true;
   return proof_result;
 }
 

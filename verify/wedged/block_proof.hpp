@@ -17,7 +17,7 @@
 
 namespace kusabi::verify {
 
-/// Proofs of claims on one block, and the bounds of its candidates that are proved so far.
+/// Proofs of claims on one block. Theorems are about this block; their bounds are those proved so far.
 class BlockProof {
  public:
   explicit BlockProof(ContactBlock block);
@@ -27,27 +27,26 @@ class BlockProof {
     return model_.min_eigenvalue();
   }
 
-  /// Proves that below the node (U, R) there is no state under any combination of the loads with
-  /// amounts >= 0 of which one is positive; without loads, that there is no wedged configuration.
-  /// @param numbers m multipliers, and p coefficients of the mean motion of w
-  /// @param grip a restriction of the states; nothing: all states
+  /// Proves that the theorem has no state below the node (U, R): under any combination of its loads
+  /// with amounts >= 0 of which one is positive; without loads, no wedged configuration.
+  /// @param numbers m multipliers, p coefficients of the mean motion of w and, if the theorem
+  ///        restricts the sum of the normal reactions, its multiplier
   /// @pre min_eigenvalue(); loads, if there are shares
-  [[nodiscard]] ProofResult prove_infeasible(const support::IndexSet& contact,
+  [[nodiscard]] ProofResult prove_infeasible(const Theorem& theorem,
+                                             const support::IndexSet& contact,
                                              const support::IndexSet& separated,
-                                             std::span<const double> numbers,
-                                             std::span<const LoadShare> shares = {},
-                                             const std::optional<GripTerm>& grip = {},
-                                             bool except_dead = false) const;
+                                             std::span<const double> numbers) const;
 
   /// See BlockModel::closes_gaps().
   [[nodiscard]] bool closes_gaps(const support::IndexSet& contact) const {
     return model_.closes_gaps(contact);
   }
 
-  /// The same without loads, with the cuts of all added bounds.
+  /// The same with the cuts of its bounds.
   /// @param numbers those of prove_infeasible(), then m multipliers of cuts
-  /// @pre min_eigenvalue()
-  [[nodiscard]] ProofResult prove_by_cuts(const support::IndexSet& contact,
+  /// @pre as prove_infeasible(); weights, if there are shares
+  [[nodiscard]] ProofResult prove_by_cuts(const Theorem& theorem, const ProvedBounds& bounds,
+                                          const support::IndexSet& contact,
                                           const support::IndexSet& separated,
                                           std::span<const double> numbers) const;
 
@@ -59,13 +58,12 @@ class BlockProof {
 
   /// Proves a bound of a candidate, or that it is never in contact (never separated), with the cuts
   /// of the bounds added before, and adds it. @return the reason if it is not proved
-  /// @param maximum bound of r_n (side: contact) or u_n (separated) over sum_k r_nk; nothing: no
-  ///        configuration has the candidate on this side
-  /// @param numbers those of prove_by_cuts(), and with `maximum` the multiplier of its opposite
-  /// @pre min_eigenvalue()
-  [[nodiscard]] std::optional<std::string> add_bound(std::size_t candidate, Side side,
-                                                     const std::optional<double>& maximum,
-                                                     std::span<const double> numbers);
+  /// @param candidate its number in the block
+  /// @pre as prove_by_cuts()
+  [[nodiscard]] std::optional<std::string> add_bound(const Theorem& theorem,
+                                                     const CandidateBound& bound,
+                                                     std::size_t candidate,
+                                                     ProvedBounds& bounds) const;
 
   /// True if equilibrium makes the reaction of a contact of U zero in all configurations below the
   /// node (U, R).
@@ -95,20 +93,15 @@ class BlockProof {
   }
 
  private:
-  // Parts of the recorded numbers, without cuts.
-  [[nodiscard]] Combination without_cuts(const support::IndexSet& contact,
-                                         const support::IndexSet& separated,
-                                         std::span<const double> numbers) const;
-  // The same with the multipliers of cuts.
-  [[nodiscard]] Combination with_cuts(const support::IndexSet& contact,
-                                      const support::IndexSet& separated,
-                                      std::span<const double> numbers) const;
-  // Proves that no configuration satisfies the inequalities, with all proved bounds.
-  [[nodiscard]] ProofResult prove_with_bounds(Combination combination) const;
+  // The inequalities with the recorded numbers. @param cuts true: with multipliers of cuts
+  [[nodiscard]] Combination combination(const Theorem& theorem, const support::IndexSet& contact,
+                                        const support::IndexSet& separated,
+                                        std::span<const double> numbers, bool cuts) const;
+  // Proves that no state satisfies the inequalities, with all proved bounds.
+  [[nodiscard]] ProofResult prove_with_bounds(Combination combination,
+                                              const ProvedBounds& bounds) const;
 
   BlockModel model_;
-  ProvedBounds bounds_;
-  bool bounds_except_large_ = false;  // some bounds hold except for large displacements
 };
 
 }  // namespace kusabi::verify

@@ -22,8 +22,11 @@ CandidateBound read_bound(Lines& lines, const Certificate& certificate) {
   if (!never && keyword != "bound") lines.refuse("'bound' or 'never'");
   CandidateBound bound;
   bound.line = lines.number();
-  bound.block = read_block_number(lines, certificate);
-  const auto& block = certificate.blocks[bound.block];
+  bound.theorem = read_theorem_number(lines, certificate);
+  const auto& theorem = certificate.theorems[bound.theorem];
+  if (theorem.weights.size() != theorem.shares.size())
+    lines.refuse("the number of a theorem without loads, or with their weights");
+  const auto& block = certificate.blocks[theorem.block];
   const std::string candidate = "a contact candidate of the block, counted from 0";
   const auto number = lines.integer(10, candidate);
   if (number >= certificate.candidates()) lines.refuse(candidate);
@@ -35,8 +38,9 @@ CandidateBound read_bound(Lines& lines, const Certificate& certificate) {
   if (bound.maximum && *bound.maximum <= 0) lines.refuse(above_zero);
   const auto own = static_cast<std::size_t>(block.size());
   const auto moving = certificate.motions_of(block).size();
-  lines.numbers(2 * own + moving + (never ? 0 : 1), bound.numbers, multipliers_of(moving));
-  refuse_negative(lines, std::span(bound.numbers).subspan(own + moving, own));
+  const auto first = own + moving + (theorem.grip ? 1 : 0);
+  lines.numbers(first + own + (never ? 0 : 1), bound.numbers, multipliers_of(moving));
+  refuse_negative(lines, std::span(bound.numbers).subspan(first, own));
   if (!never && bound.numbers.back() <= 0) {
     lines.refuse("the multiplier of the opposite of the bound, the last one, above zero");
   }

@@ -43,6 +43,8 @@ struct Theorem {
   std::size_t line = 0;             ///< of the file
   std::size_t block = 0;            ///< the first being 0
   std::vector<LoadShare> shares{};  ///< none: wedged configurations
+  /// c_j > 0 of each share, to which its bounds of candidates refer; empty: it has no bounds.
+  std::vector<double> weights{};
   std::optional<GripBound> grip{};  ///< restricts the states; with shares
   /// States under the dead load alone do not count; the other shares have factors of one sign.
   bool except_dead = false;
@@ -70,19 +72,17 @@ enum class Side {
 /// The keyword in the file: "contact" or "separated".
 const char* side_name(Side side);
 
-/// Bound of a candidate in all wedged configurations, in units of s, the sum of the normal
-/// reactions of its block.
+/// Bound of a candidate in all states of a theorem, in units of s, the sum of the normal reactions
+/// of the block and of the amounts of the loads, each times its weight.
 struct CandidateBound {
-  std::size_t line = 0;   ///< of the file
-  std::size_t block = 0;  ///< the first being 0
-  int candidate = 0;      ///< its number in the whole problem, the first being 0
+  std::size_t line = 0;     ///< of the file
+  std::size_t theorem = 0;  ///< the first being 0
+  int candidate = 0;        ///< its number in the whole problem, the first being 0
   Side side = Side::contact;
-  /// Positive. Contact: r_n <= maximum s. Separated: u_n <= maximum s (length / force). Nothing: no
-  /// wedged configuration has the candidate on this side.
+  /// Positive. Contact: r_n <= maximum s. Separated: u_n, with the clearance, <= maximum s (length /
+  /// force). Nothing: no state has the candidate on this side.
   std::optional<double> maximum{};
-  /// Multipliers of the normal displacements, one for each candidate of the block; coefficients of
-  /// its rigid-body modes in the mean motion of w; multipliers of cuts, one for each candidate, >=
-  /// 0; and, if there is `maximum`, the multiplier of its opposite, > 0.
+  /// Those of a node `cut`, and, if there is `maximum`, the multiplier of its opposite, > 0.
   std::vector<double> numbers{};
 };
 
@@ -95,8 +95,8 @@ struct Node {
   support::IndexSet separated{};  ///< R: r = 0
   /// infeasible: multipliers of the normal displacements, one for each candidate of the block,
   /// coefficients of its rigid-body modes in the mean motion of w and, if the theorem restricts the
-  /// sum of the normal reactions, its multiplier. cut: multipliers and mean motion, then
-  /// multipliers of cuts, one for each candidate, >= 0. form: those of products of u_ni and r_nj,
+  /// sum of the normal reactions, its multiplier. cut: the same, then multipliers of cuts, one for
+  /// each candidate, >= 0. form: those of products of u_ni and r_nj,
   /// by rows; for each pair (j, k) the d - 1 components of that of r_nj and r_tk; one for the
   /// square of each candidate's friction cone; with modes, those of products of u_ni and u_nj, by
   /// rows.

@@ -15,6 +15,9 @@ namespace kusabi::verify {
 /// @throws CertificateError, as do all functions below
 std::size_t read_block_number(Lines& lines, const Certificate& certificate);
 
+/// The theorem number in the next word, counted from 0.
+std::size_t read_theorem_number(Lines& lines, const Certificate& certificate);
+
 /// Name of the numbers of a node `infeasible` or of a bound in messages.
 /// @param motions of its block
 std::string multipliers_of(std::size_t motions);

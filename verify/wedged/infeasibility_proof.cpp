@@ -3,8 +3,10 @@
 #include "verify/wedged/infeasibility_proof.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace kusabi::verify {
@@ -61,6 +63,11 @@ ProofResult InfeasibilityProof::result() const {
   const bool unloaded =
       combination_.separated == IndexSet::below(static_cast<int>(model_.candidates()));
   if (unloaded && combination_.loads.empty()) return {};  // r = 0 is the only solution
+  if (const auto& grip = combination_.grip;
+      grip && !(std::isfinite(grip->multiplier) &&
+                (grip->kind != GripBound::Kind::above || grip->multiplier >= 0) &&
+                (grip->kind != GripBound::Kind::below || grip->multiplier <= 0)))
+    return {"the multiplier of the sum has the wrong sign"};
   return model_.motions() == 0 ? ProofResult{refusal_of_constrained()} : prove_unconstrained();
 }
 
@@ -77,6 +84,13 @@ ProofResult InfeasibilityProof::prove_unconstrained() const {
                                             });
   };
   std::optional<std::string> first;
+  const auto except_large_displacements = [&] {
+    return std::ranges::any_of(std::array{0.0, small_multiplier},
+                               [&](double small) { return !refusal(equilibrium.nearly(small)); });
+  };
+  // Cuts of bounds that leave them out prove nothing more.
+  if (!combination_.of_cuts.empty() && bounds_.except_large_displacements())
+    return except_large_displacements() ? ProofResult{{}, true} : ProofResult{not_in_equilibrium};
   // The attempts: all multipliers; without those that are positive only by the barrier; the
   // rigid-body mode alone; with some nonnegative ones raised.
   for (const auto& [small, raised] :
@@ -87,9 +101,7 @@ ProofResult InfeasibilityProof::prove_unconstrained() const {
   }
   for (const double small : {at_rest_by_rounding, nearly_at_rest})
     if (!refusal_of_rigid_motion(mean, small)) return {};
-  for (const double small : {0.0, small_multiplier}) {
-    if (!refusal(equilibrium.nearly(small))) return {{}, true};
-  }
+  if (except_large_displacements()) return {{}, true};
   return {first};
 }
 
@@ -97,7 +109,8 @@ ProofResult InfeasibilityProof::prove_unconstrained() const {
 // zero there in rational numbers, and their reactions, of any size, do no work on it.
 std::optional<std::string> InfeasibilityProof::refusal_of_rigid_motion(
     const std::vector<double>& mean, double small) const {
-  if (combination_.loads.empty()) return "a rigid motion alone excludes loads only";
+  if (combination_.loads.empty() || !combination_.of_cuts.empty())
+    return "a rigid motion alone excludes loads only, and without cuts";
   if (combination_.grip && combination_.grip->multiplier != 0)
     return "the sum of the reactions has a multiplier";
   Combination rest = combination_;
@@ -183,7 +196,8 @@ std::optional<std::string> InfeasibilityProof::check_unconstrained(const Multipl
   return check_margins(moved, shift.error, epsilon, works);
 }
 
-// sum_k w~_k'r_k >= sum_k (nu_nk + eta_k A_k - theta [k = i, separated]) u_nk + nu_t'u_t.
+// sum_k w~_k'r_k + sum_j L_j tau_j >= sum_k (nu_nk + eta_k A_k - theta [k = i, separated]) u_nk +
+// nu_t'u_t. A coefficient that is negative by rounding belongs to epsilon.
 std::optional<std::string> InfeasibilityProof::check_constrained(const DyadicList& w,
                                                                  const DyadicList& nu,
                                                                  const Dyadic& off) const {
@@ -194,7 +208,7 @@ std::optional<std::string> InfeasibilityProof::check_constrained(const DyadicLis
     auto normal = nu[block_.dimension * k] + shares_[k];
     const bool negative = !contains(combination_.contact, k) && normal.sign() < 0;
     if (negative) epsilon_squared = epsilon_squared + square(normal);
-    forces.push_back(negative ? Dyadic() : std::move(normal));
+    forces.push_back((negative ? Dyadic() : std::move(normal)) - shares_[k]);
   }
   const auto works = works_above(w, {}, forces, {});
   auto lifted = w;
@@ -229,15 +243,16 @@ std::optional<std::string> InfeasibilityProof::check_margins(
   return {};
 }
 
-// L_j = w'f_j + sum_k y_k g_jk, minus the share of the grip.
+// L_j = w'f_j + sum_k y_k g_jk + c_j (sum_l eta_l - theta beta), minus the share of the grip.
 std::vector<Dyadic> InfeasibilityProof::works_above(const DyadicList& w, const Dyadic& w_error,
                                                     const std::vector<Dyadic>& y,
                                                     const Dyadic& y_error) const {
   std::vector<Dyadic> works;
   if (combination_.loads.empty()) return works;
   const auto w_size = norm_above(w) + w_error * Dyadic(static_cast<double>(w.size()));
+  const auto of_sum = sum_share();
   for (const auto& load : combination_.loads) {
-    auto sum = w_size * load.error;
+    auto sum = w_size * load.error + of_sum * load.weight;
     for (std::size_t k = 0; k < w.size(); ++k)
       sum = sum + w[k] * load.forces[k] + w_error * absolute(load.forces[k]);
     for (std::size_t k = 0; k < model_.candidates(); ++k)
@@ -251,7 +266,7 @@ std::vector<Dyadic> InfeasibilityProof::works_above(const DyadicList& w, const D
   return works;
 }
 
-// Coefficient of u_nk in the inequalities, beside nu_nk.
+// Coefficient of v_nk in the inequalities, beside nu_nk.
 Dyadic InfeasibilityProof::displacement_share(std::size_t k) const {
   if (combination_.of_cuts.empty()) return {};
   const auto& opposite = combination_.opposite;
@@ -260,25 +275,27 @@ Dyadic InfeasibilityProof::displacement_share(std::size_t k) const {
   return opposed ? cut - opposite->multiplier : cut;
 }
 
-// w~ - w: sum_l eta_l - eta_k B_k - theta beta + theta [k = i, in contact] at the normals.
+// sum_l eta_l - theta beta.
+Dyadic InfeasibilityProof::sum_share() const {
+  Dyadic sum;
+  for (const double eta : combination_.of_cuts) sum = sum + Dyadic(eta);
+  return combination_.opposite ? sum - combination_.opposite->of_sum : sum;
+}
+
+// w~ - w: the shares of s and of the grip, - eta_k B_k + theta [k = i, in contact] at the normals.
 DyadicList InfeasibilityProof::reaction_shares() const {
   const auto d = block_.dimension;
+  const auto& [of_cuts, opposite, grip] =
+      std::tie(combination_.of_cuts, combination_.opposite, combination_.grip);
+  auto everywhere = sum_share();
+  if (grip) everywhere = everywhere + Dyadic(grip->multiplier);
   std::vector<Dyadic> shares(d * model_.candidates());
-  if (combination_.grip) {
-    for (std::size_t k = 0; k < model_.candidates(); ++k)
-      shares[d * k] = Dyadic(combination_.grip->multiplier);
-  }
-  if (combination_.of_cuts.empty()) return DyadicList(shares);
-  const auto& opposite = combination_.opposite;
-  Dyadic everywhere;
-  for (const double eta : combination_.of_cuts) everywhere = everywhere + Dyadic(eta);
-  if (opposite) everywhere = everywhere - opposite->of_sum;
   for (std::size_t k = 0; k < model_.candidates(); ++k) {
     auto& own = shares[d * k];
-    own = everywhere - Dyadic(combination_.of_cuts[k]) * bounds_.reaction_share(k);
-    if (opposite && opposite->side == Side::contact && opposite->candidate == k) {
+    own = everywhere;
+    if (!of_cuts.empty()) own = own - Dyadic(of_cuts[k]) * bounds_.reaction_share(k);
+    if (opposite && opposite->side == Side::contact && opposite->candidate == k)
       own = own + opposite->multiplier;
-    }
   }
   return DyadicList(shares);
 }

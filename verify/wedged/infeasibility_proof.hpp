@@ -19,11 +19,12 @@ namespace kusabi::verify {
 /// The sum of the normal reactions of the block is related to the dead load: sum r_n = total, or >=
 /// (<=) with a multiplier that is not negative (not positive).
 struct GripTerm {
+  GripBound::Kind kind = GripBound::Kind::equal;
   double total = 0;
   double multiplier = 0;
 };
 
-/// The negation of a bound: r_ni, or u_ni, is at least beta sum_k r_nk.
+/// The negation of a bound: r_ni, or v_ni, is at least beta s.
 struct Opposite {
   std::size_t candidate;  ///< i
   Side side;
@@ -46,7 +47,7 @@ struct Combination {
 /// The proof of one claim.
 class InfeasibilityProof {
  public:
-  /// @pre model and bounds outlive this object; model.min_eigenvalue()
+  /// @pre model and bounds outlive this object; model.min_eigenvalue(); finite numbers of cuts
   InfeasibilityProof(const BlockModel& model, const ProvedBounds& bounds, Combination combination);
 
   [[nodiscard]] ProofResult result() const;
@@ -76,8 +77,9 @@ class InfeasibilityProof {
   [[nodiscard]] std::vector<Dyadic> works_above(const DyadicList& w, const Dyadic& w_error,
                                                 const std::vector<Dyadic>& y,
                                                 const Dyadic& y_error) const;
-  // Coefficients of u_nk besides the multipliers, and of r besides w.
+  // Coefficients of v_nk besides the multipliers, of s, and of r besides w.
   [[nodiscard]] Dyadic displacement_share(std::size_t k) const;
+  [[nodiscard]] Dyadic sum_share() const;
   [[nodiscard]] DyadicList reaction_shares() const;
 
   const BlockModel& model_;

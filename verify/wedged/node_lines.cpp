@@ -48,6 +48,18 @@ bool read_exception(Lines& lines, const std::vector<LoadShare>& shares) {
   return true;
 }
 
+// 'weights' and a positive number for each load, if these are the next words.
+std::vector<double> read_weights(Lines& lines, std::size_t count) {
+  constexpr std::string_view keyword = "weights ";
+  if (!lines.remainder().starts_with(keyword)) return {};
+  const std::string what = "'weights' and a number above zero for each load";
+  lines.word();
+  std::vector<double> weights;
+  for (std::size_t j = 0; j < count; ++j) weights.push_back(lines.number(what));
+  if (std::ranges::min(weights) <= 0) lines.refuse(what);
+  return weights;
+}
+
 Theorem read_theorem(Lines& lines, const Certificate& certificate) {
   lines.next();
   lines.expect_word("none", "'none' with its block, loads and sum");
@@ -63,6 +75,7 @@ Theorem read_theorem(Lines& lines, const Certificate& certificate) {
     lines.end_of_line("no sum without loads");
     return theorem;
   }
+  theorem.weights = read_weights(lines, theorem.shares.size());
   theorem.except_dead = read_exception(lines, theorem.shares);
   if (certificate.total)
     theorem.grip = GripBound{GripBound::Kind::equal, *certificate.total};
@@ -85,28 +98,27 @@ void read_sets(Lines& lines, const support::IndexSet& block, bool whole, support
 }
 
 Node read_node(Lines& lines, Claim claim, const Certificate& certificate) {
-  const auto what =
-      "the number of a theorem, from 1 to " + std::to_string(certificate.theorems.size());
-  const auto number = lines.integer(10, what);
-  if (number < 1 || number > certificate.theorems.size()) lines.refuse(what);
   Node node;
   node.line = lines.number();
   node.claim = claim;
-  node.theorem = number - 1;
+  node.theorem = read_theorem_number(lines, certificate);
   const auto& theorem = certificate.theorems[node.theorem];
   const auto& block = certificate.blocks[theorem.block];
-  if ((claim == Claim::cut || claim == Claim::form) && !theorem.about_wedged())
-    lines.refuse("the number of a theorem without loads, since cuts and forms are about these");
+  if (claim == Claim::form && !theorem.about_wedged())
+    lines.refuse("the number of a theorem without loads, since forms are about these");
+  if (claim == Claim::cut && theorem.weights.size() != theorem.shares.size())
+    lines.refuse("the number of a theorem without loads, or with their weights");
   read_sets(lines, block, false, node.contact, node.separated);
   const auto moving = certificate.motions_of(block).size();
   const auto own = static_cast<std::size_t>(block.size());
+  const auto without_cuts = own + moving + (theorem.grip ? 1 : 0);
   switch (claim) {
     case Claim::infeasible:
-      lines.numbers(own + moving + (theorem.grip ? 1 : 0), node.numbers, multipliers_of(moving));
+      lines.numbers(without_cuts, node.numbers, multipliers_of(moving));
       break;
     case Claim::cut:
-      lines.numbers(2 * own + moving, node.numbers, multipliers_of(moving));
-      refuse_negative(lines, std::span(node.numbers).subspan(own + moving));
+      lines.numbers(without_cuts + own, node.numbers, multipliers_of(moving));
+      refuse_negative(lines, std::span(node.numbers).subspan(without_cuts));
       break;
     case Claim::form:
       if (!(node.contact | node.separated).empty()) lines.refuse("two empty sets, '0 0'");
@@ -164,6 +176,14 @@ std::size_t read_block_number(Lines& lines, const Certificate& certificate) {
   const auto what = "the number of a block, from 1 to " + std::to_string(certificate.blocks.size());
   const auto number = lines.integer(10, what);
   if (number < 1 || number > certificate.blocks.size()) lines.refuse(what);
+  return number - 1;
+}
+
+std::size_t read_theorem_number(Lines& lines, const Certificate& certificate) {
+  const auto what =
+      "the number of a theorem, from 1 to " + std::to_string(certificate.theorems.size());
+  const auto number = lines.integer(10, what);
+  if (number < 1 || number > certificate.theorems.size()) lines.refuse(what);
   return number - 1;
 }
 

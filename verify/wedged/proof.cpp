@@ -148,11 +148,13 @@ Proof::Proof(const Certificate& certificate, const EnclosedMatrix& stiffness,
 }
 
 std::optional<std::string> Proof::add_bound(const CandidateBound& bound) {
-  const auto& block = certificate_.blocks[bound.block];
+  const auto& theorem = certificate_.theorems[bound.theorem];
+  const auto& block = certificate_.blocks[theorem.block];
   if (!block.contains(bound.candidate)) return "its candidate is not in its block";
   const auto own = within(block, support::IndexSet::single(bound.candidate)).lowest();
-  return blocks_[bound.block].add_bound(static_cast<std::size_t>(own), bound.side, bound.maximum,
-                                        bound.numbers);
+  const auto place = bounds_.try_emplace(bound.theorem, static_cast<std::size_t>(block.size()));
+  return blocks_[theorem.block].add_bound(theorem, bound, static_cast<std::size_t>(own),
+                                          place.first->second);
 }
 
 ProofResult Proof::proof_result(const Node& node) const {
@@ -161,29 +163,23 @@ ProofResult Proof::proof_result(const Node& node) const {
   const auto contact = within(block, node.contact);
   const auto separated = within(block, node.separated);
   const auto& proof = blocks_[theorem.block];
+  const auto bounds = bounds_.find(node.theorem);
   switch (node.claim) {
     case Claim::infeasible:
-      break;
+      return proof.prove_infeasible(theorem, contact, separated, node.numbers);
     case Claim::cut:
-      return proof.prove_by_cuts(contact, separated, node.numbers);
+      return proof.prove_by_cuts(theorem,
+                                 bounds != bounds_.end()
+                                     ? bounds->second
+                                     : ProvedBounds(static_cast<std::size_t>(block.size())),
+                                 contact, separated, node.numbers);
     case Claim::form:
       return proof.prove_by_form(node.numbers);
     case Claim::none:
-      return {.unloaded =
-                  theorem.about_wedged() && proof.leaves_a_contact_unloaded(contact, separated)};
+      break;
   }
-  std::span<const double> numbers = node.numbers;
-  std::optional<GripTerm> grip;
-  if (theorem.grip) {
-    const double multiplier = numbers.back();
-    numbers = numbers.first(numbers.size() - 1);
-    if ((theorem.grip->kind == GripBound::Kind::above && multiplier < 0) ||
-        (theorem.grip->kind == GripBound::Kind::below && multiplier > 0))
-      return {.refusal = "the multiplier of the sum has the wrong sign"};
-    grip = GripTerm{theorem.grip->total, multiplier};
-  }
-  return proof.prove_infeasible(contact, separated, numbers, theorem.shares, grip,
-                                theorem.except_dead);
+  return {.unloaded =
+              theorem.about_wedged() && proof.leaves_a_contact_unloaded(contact, separated)};
 }
 
 bool Proof::is_unbalanced(LoadShare share) const {

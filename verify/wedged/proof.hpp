@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,7 +35,7 @@ class Proof {
   /// proved then.
   [[nodiscard]] const std::optional<Dyadic>& min_eigenvalue() const { return minimum_; }
 
-  /// Proves a bound with those added before, and adds it for all later proofs.
+  /// Proves a bound with those of its theorem added before, and adds it for all later proofs.
   /// @return the reason if it is not proved
   /// @param bound with as many numbers as its claim requires, its candidate in its block
   /// @pre min_eigenvalue()
@@ -74,6 +75,7 @@ class Proof {
 
   const Certificate& certificate_;
   std::vector<BlockProof> blocks_;
+  std::map<std::size_t, ProvedBounds> bounds_;  // by theorem
   std::vector<Actions> actions_;
   std::vector<LoadWork> work_;
   std::optional<Dyadic> minimum_;

@@ -10,10 +10,13 @@ namespace kusabi::wedged {
 HoldOutcome search_for_state(engine::Analysis& analysis, const LoadedProblem& block,
                              TreeEvidence& tree, const HoldParameters& parameters, bool recorded) {
   TreeEvidence* const evidence = recorded ? &tree : nullptr;
+  tree.max_nodes = parameters.nodes_of_evidence;
   const auto new_tree = [&] { return tree_of(block, tree, parameters.precision); };
   const auto candidates = static_cast<int>(block.problem.contact_names.size());
   const bool automatic = parameters.tightening == Tightening::automatic;
-  if ((recorded && !parameters.nodes_of_evidence) || parameters.tightening == Tightening::never ||
+  // All evidence is wanted.
+  const bool plain_evidence = recorded && !parameters.nodes_of_evidence && !tree.may_have_bounds();
+  if (plain_evidence || parameters.tightening == Tightening::never ||
       (automatic && candidates > max_candidates_to_bound)) {
     HoldTree plain = new_tree();
     return first_leaf(analysis, plain, evidence);
@@ -31,7 +34,12 @@ HoldOutcome search_for_state(engine::Analysis& analysis, const LoadedProblem& bl
   CandidateBounding bounding = bounded.bounding();
   improve_bounds(analysis, bounding);
   bounded.tighten(bounding.bounds());
-  auto found = first_leaf(analysis, bounded);
+  const bool records = recorded && tree.may_have_bounds();
+  if (records) {
+    tree.bounds = bounding.proved();
+    tree.weights = bounded.weights();
+  }
+  auto found = first_leaf(analysis, bounded, records ? &tree : nullptr);
   found.opened += opened;
   found.tally.iterations += iterations;
   return found;

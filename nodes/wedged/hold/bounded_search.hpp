@@ -12,8 +12,9 @@
 namespace kusabi::wedged {
 
 /// Searches a tree until its first leaf. Every rank makes the same call and gets the same result.
-/// @param tree loads, friction coefficient and restriction; receives the closed nodes if `recorded`
-/// @param recorded true: without bounds, since certificates have none under load, unless trees are
+/// @param tree loads, friction coefficient and restriction; receives the closed nodes and bounds if
+///        `recorded`
+/// @param recorded true: without bounds where a certificate cannot have them, unless trees are
 ///        searched again for the evidence
 HoldOutcome search_for_state(engine::Analysis& analysis, const LoadedProblem& block,
                              TreeEvidence& tree, const HoldParameters& parameters, bool recorded);

@@ -58,12 +58,15 @@ class ExactHold::Record final : public HoldRecord {
     if (!proof_->min_eigenvalue()) proof_.reset();
   }
 
-  void tree(std::uint32_t block, const TreeEvidence& tree) override {
+  bool tree(std::uint32_t block, const TreeEvidence& tree) override {
     verify::Theorem theorem{.block = block};
     for (const auto& share : tree.shares) theorem.shares.push_back(verified(share));
     if (tree.grip && !theorem.about_wedged()) theorem.grip = verified(*tree.grip);
     theorem.except_dead = tree.except_dead;
+    theorem.weights = tree.weights;
     certificate_.theorems.push_back(std::move(theorem));
+    proved_.theorems.push_back(false);
+    if (!prove_bounds(tree)) return false;
     engine::Reduction own{.ranks = 1};
     for (const auto& node : tree.nodes.value()) {
       const auto result = proved_node(node);
@@ -75,9 +78,10 @@ class ExactHold::Record final : public HoldRecord {
     constexpr double whole = 1 - 1e-9;
     const auto all = engine::all_reduce(owner_.transport_, own);
     const bool proved = all.found == 0 && all.closed > whole;
-    proved_.theorems.push_back(proved);
+    proved_.theorems.back() = proved;
     proved_.except_large_displacements = proved_.except_large_displacements || all.opened > 0;
     if (further_ && proved) further_->tree(block, tree);
+    return true;
   }
 
   void state(std::uint32_t block, const std::optional<LoadShare>& share,
@@ -110,13 +114,21 @@ class ExactHold::Record final : public HoldRecord {
   }
 
  private:
+  // True if all bounds of the last theorem are proved.
+  bool prove_bounds(const TreeEvidence& tree) {
+    return !proof_ || std::ranges::all_of(tree.bounds, [&](const ProvedBound& bound) {
+      return !proof_->add_bound(verified(bound, certificate_.theorems.size() - 1));
+    });
+  }
+
   [[nodiscard]] verify::ProofResult proved_node(const ClosedNode& node) const {
     if (!proof_) return {.refusal = "K is not enclosed"};
-    return proof_->proof_result({.claim = verify::Claim::infeasible,
-                                 .theorem = certificate_.theorems.size() - 1,
-                                 .contact = node.pattern.contact,
-                                 .separated = node.pattern.separated,
-                                 .numbers = node.numbers});
+    return proof_->proof_result(
+        {.claim = node.by_cuts ? verify::Claim::cut : verify::Claim::infeasible,
+         .theorem = certificate_.theorems.size() - 1,
+         .contact = node.pattern.contact,
+         .separated = node.pattern.separated,
+         .numbers = node.numbers});
   }
 
   ExactHold& owner_;

@@ -21,8 +21,9 @@
 
 namespace kusabi::wedged {
 
-/// Trees of more nodes are not proved on the way: an exact proof takes milliseconds for each.
-inline constexpr std::uint64_t max_nodes_of_evidence = 1000;
+/// Trees of more nodes and bounds are not proved on the way: an exact proof takes milliseconds for
+/// each.
+inline constexpr std::uint64_t max_nodes_of_evidence = 2000;
 
 /// The enclosed structure, and the conclusions at each recorded coefficient. Every rank makes the
 /// same calls.

@@ -30,10 +30,9 @@ HoldOutcome on_all_ranks(engine::Analysis& analysis, const engine::OutcomeOf<Hol
 
 void report_nodes(HoldTree& tree, TreeEvidence& evidence) {
   evidence.nodes.emplace();
-  tree.report_to(
-      [&nodes = *evidence.nodes](const LoadedPattern& node, std::vector<double> numbers) {
-        nodes.push_back({node, std::move(numbers)});
-      });
+  tree.report_to([&nodes = *evidence.nodes, maximum = evidence.max_nodes](ClosedNode node) {
+    if (!maximum || nodes.size() < *maximum) nodes.push_back(std::move(node));
+  });
 }
 
 }  // namespace
@@ -64,6 +63,7 @@ HoldOutcome first_leaf_of_small(engine::Analysis& analysis, HoldTree& tree, std:
     return outcome_of(analysis.search_alone(tree, options));
   });
   analysis.count_nodes(outcome.opened);
+  if (evidence != nullptr) evidence->opened = outcome.opened;
   if (!outcome.leaves.empty()) outcome.status = engine::Status::solved;
   if (evidence != nullptr && outcome.status != engine::Status::solved) evidence->nodes.reset();
   return outcome;
@@ -75,22 +75,36 @@ HoldOutcome first_leaf(engine::Analysis& analysis, HoldTree& tree, TreeEvidence*
   // A search with a journal may begin where an earlier run ended, whose evidence is lost.
   if (evidence != nullptr && !analysis.has_journal()) report_nodes(tree, *evidence);
   auto outcome = on_all_ranks(analysis, analysis.search(tree, options));
+  if (evidence != nullptr) evidence->opened = outcome.opened;
   if (!outcome.leaves.empty()) outcome.status = engine::Status::solved;
   return outcome;
 }
 
 void record_tree(engine::Analysis& analysis, const RecordedBlock& block, TreeEvidence evidence,
                  HoldRecord& record) {
+  if (evidence.max_nodes && evidence.opened + evidence.bounds.size() > *evidence.max_nodes) return;
   if (!evidence.nodes) {
     HoldTree tree = tree_of(block.problem, evidence, block.precision);
+    if (!evidence.bounds.empty()) {
+      CandidateBounding bounding = tree.bounding();
+      for (const auto& bound : evidence.bounds) bounding.add_bound(bound);
+      tree.tighten(bounding.bounds());
+    }
     report_nodes(tree, evidence);
     engine::Options options;
     options.goal = engine::Goal::first;
-    if (block.max_nodes) options.limits.nodes = *block.max_nodes;
+    if (evidence.max_nodes) options.limits.nodes = *evidence.max_nodes;
     if (!on_all_ranks(analysis, analysis.search_anew(tree, options)).is_infeasible()) return;
   }
   for (auto& node : *evidence.nodes) node.pattern = in_whole(node.pattern, block.candidates);
-  record.tree(block.number, evidence);
+  const std::vector<int> numbers(block.candidates.begin(), block.candidates.end());
+  for (auto& bound : evidence.bounds)
+    bound.candidate = numbers[static_cast<std::size_t>(bound.candidate)];
+  if (record.tree(block.number, evidence)) return;
+  TreeEvidence without_bounds{evidence.mu, std::move(evidence.shares), evidence.grip,
+                              evidence.except_dead};
+  without_bounds.max_nodes = evidence.max_nodes;
+  record_tree(analysis, block, std::move(without_bounds), record);
 }
 
 void record_state(engine::Analysis& analysis, const RecordedBlock& block,

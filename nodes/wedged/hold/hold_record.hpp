@@ -47,12 +47,6 @@ HoldOutcome all_leaves(engine::Analysis& analysis, HoldTree& tree);
 /// A pattern of a block as one of the whole problem.
 LoadedPattern in_whole(const LoadedPattern& own, const support::IndexSet& candidates);
 
-/// A node without a state, with the numbers that prove it.
-struct ClosedNode {
-  LoadedPattern pattern;
-  std::vector<double> numbers;
-};
-
 /// Evidence of a tree without states.
 struct TreeEvidence {
   double mu = 0;
@@ -61,6 +55,16 @@ struct TreeEvidence {
   bool except_dead = false;                        ///< states of the dead load alone do not count
   std::optional<std::vector<ClosedNode>> nodes{};  ///< those that this rank closed; nothing: an
                                                    ///< earlier run closed some of them
+  std::uint64_t opened = 0;                        ///< nodes of the tree, on all ranks
+  std::optional<std::uint64_t> max_nodes{};        ///< and bounds; nothing: any number
+  std::vector<ProvedBound> bounds{};  ///< of candidates, used by its nodes; on every rank
+  std::vector<double> weights{};      ///< with bounds: c_j of each share, to which they refer
+
+  /// Bounds refer to a sum of reactions and loads. That of a search for sums beyond a given one has
+  /// the excess as well, which is not in a certificate.
+  [[nodiscard]] bool may_have_bounds() const {
+    return !grip || grip->kind == GripRestriction::Kind::equal;
+  }
 };
 
 /// The tree of these loads, coefficient and restriction, without its evidence.
@@ -89,7 +93,8 @@ class HoldRecord {
   virtual ~HoldRecord() = default;
 
   /// A tree without states; on every rank, with the nodes that it closed.
-  virtual void tree(std::uint32_t block, const TreeEvidence& tree) = 0;
+  /// @return false if a bound of a candidate is refused, and the tree with it
+  virtual bool tree(std::uint32_t block, const TreeEvidence& tree) = 0;
   /// A state under a load, or without one a wedged configuration that holds every load; on every
   /// rank.
   virtual void state(std::uint32_t block, const std::optional<LoadShare>& share,
@@ -108,11 +113,11 @@ struct RecordedBlock {
   std::uint32_t number = 0;
   double mu = 0;
   Precision precision = Precision::escalating;
-  std::optional<std::uint64_t> max_nodes{};  ///< of a tree that is searched again; nothing: any
 };
 
 /// Records a tree, which is searched again if its nodes are not known: if some were closed by an
-/// earlier run, or with bounds of the candidates. It is not recorded if it has too many nodes.
+/// earlier run, or with bounds that cannot be recorded or are refused. It is not recorded if it has
+/// too many nodes.
 void record_tree(engine::Analysis& analysis, const RecordedBlock& block, TreeEvidence evidence,
                  HoldRecord& record);
 

@@ -133,7 +133,7 @@ bool is_dead_unbalanced(const LoadedProblem& loaded, const HoldParameters& param
 
 RecordedBlock recorded_block(const LoadedProblem& block, const support::IndexSet& candidates,
                              std::uint32_t number, double mu, const HoldParameters& parameters) {
-  return {block, candidates, number, mu, parameters.precision, parameters.nodes_of_evidence};
+  return {block, candidates, number, mu, parameters.precision};
 }
 
 HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,

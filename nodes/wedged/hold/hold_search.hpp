@@ -90,8 +90,7 @@ struct HoldParameters {
   /// Sum of the normal reactions of all states; of factors only, and of a problem of one block.
   std::optional<double> total{};
   HoldRecorder recorder{};  ///< of the evidence at a coefficient; empty: none
-  /// Trees are searched with bounds of the candidates, which evidence has not; those of the evidence
-  /// are searched again, up to this number of nodes. Nothing: without bounds.
+  /// Largest number of nodes and bounds of a tree whose evidence is recorded. Nothing: any number.
   std::optional<std::uint64_t> nodes_of_evidence{};
   /// Proved by the loads alone: the dead load, or every factor, moves a body in a direction that no
   /// candidate resists.

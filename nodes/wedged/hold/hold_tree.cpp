@@ -80,10 +80,8 @@ void HoldNodes::set_friction(double mu) {
 }
 
 CandidateBounding HoldNodes::bounding() const {
-  return {problem_,
-          friction_with_loads(loaded_->problem, mu_, loads_),
-          hold_tolerances,
-          {static_cast<int>(loads_), equation_}};
+  return {problem_, friction_with_loads(loaded_->problem, mu_, loads_), hold_tolerances,
+          load_part(), mean_motion_};
 }
 
 void HoldNodes::tighten(std::vector<CandidateBounds> bounds) {
@@ -94,8 +92,13 @@ void HoldNodes::tighten(std::vector<CandidateBounds> bounds) {
 // Nothing: the node is to be solved without cuts.
 std::optional<HoldResult> HoldNodes::solve_with_cuts(const LoadedPattern& node) {
   one_sided_.reset();
+  by_cuts_.reset();
   if (bounds_.empty()) return {};
-  if (excludes_all(bounds_, node.contact, node.separated)) return HoldResult::infeasible;
+  if (excludes_all(bounds_, node.contact, node.separated)) {
+    by_cuts_.emplace(2 * bounds_.size() + static_cast<std::size_t>(mean_motion_.count()) +
+                     (load_part().has_equation() ? 1 : 0));
+    return HoldResult::infeasible;
+  }
   const IndexSet free = all_ - (node.contact | node.separated);
   if (free.empty()) return {};
   one_sided_ = one_sided(free, bounds_);
@@ -103,7 +106,10 @@ std::optional<HoldResult> HoldNodes::solve_with_cuts(const LoadedPattern& node) 
   const auto cuts = cuts_of(free, bounds_);
   const auto answer = solver_.solve_with(cuts, node.contact, node.separated, {});
   iterations_ += static_cast<std::uint64_t>(answer.iterations);
-  if (answer.sign == conic::Sign::infeasible) return HoldResult::infeasible;
+  if (answer.sign == conic::Sign::infeasible) {
+    if (wants_evidence_) by_cuts_ = cut_evidence(solver_, mean_motion_, cuts, load_part());
+    return HoldResult::infeasible;
+  }
   if (answer.sign == conic::Sign::feasible) return HoldResult::unresolved;
   return {};
 }
@@ -154,7 +160,8 @@ bool HoldNodes::is_contradiction(const LoadedPattern& node) {
   return true;
 }
 
-std::vector<double> HoldNodes::infeasible_numbers() const {
+ClosedNode HoldNodes::closed(const LoadedPattern& node) const {
+  if (by_cuts_) return {node, *by_cuts_, true};
   const Eigen::Index m = all_.size();
   const Eigen::Index modes = mean_motion_.count();
   const Eigen::Index motions = problem_.modes.matrix.cols();
@@ -163,7 +170,7 @@ std::vector<double> HoldNodes::infeasible_numbers() const {
   own.tail(modes) = multipliers_.tail(motions).head(modes);
   auto numbers = mean_motion_.with_multipliers(own, solver_.unit());
   if (motions > modes) numbers.push_back(grip_unit_ * solver_.unit() * multipliers_.tail(1)[0]);
-  return numbers;
+  return {node, std::move(numbers)};
 }
 
 std::array<double, 3> HoldNodes::works() const {
@@ -238,7 +245,7 @@ void HoldTree::open(const Node& node, engine::Expansion<HoldTree>& out) {
   switch (result) {
     case HoldResult::infeasible:
       ++tally_.infeasible;
-      if (reporter_) reporter_(node, nodes_.infeasible_numbers());
+      if (reporter_) reporter_(nodes_.closed(node));
       return;
     case HoldResult::feasible:
       out.solution(nodes_.leaf(node));

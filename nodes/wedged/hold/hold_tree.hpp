@@ -58,6 +58,13 @@ struct LoadedLeaf {
   }
 };
 
+/// A node without a state, with the numbers that prove it (docs/certificates.md).
+struct ClosedNode {
+  LoadedPattern pattern;
+  std::vector<double> numbers;
+  bool by_cuts = false;
+};
+
 /// Counts of opened nodes by their result.
 struct HoldTally : engine::Counts<HoldTally> {
   std::uint64_t branched = 0;
@@ -110,6 +117,8 @@ class HoldNodes {
             const std::optional<GripRestriction>& grip = {});
 
   void end_when(const support::Stop& stop) { solver_.end_when(stop); }
+  /// Keeps what closed() needs.
+  void keep_evidence() { wants_evidence_ = true; }
   /// States of the dead load alone do not count. @pre another share
   void except_dead();
   /// @pre no bounds
@@ -143,8 +152,10 @@ class HoldNodes {
   /// The state of the last node.
   [[nodiscard]] LoadedLeaf leaf(const LoadedPattern& pattern) const;
   /// Evidence that the last node is infeasible: multipliers of the normal displacements, the mean
-  /// motion of w, and the multiplier of the sum of a restriction.
-  [[nodiscard]] std::vector<double> infeasible_numbers() const;
+  /// motion of w, the multiplier of the sum of a restriction, and those of cuts.
+  [[nodiscard]] ClosedNode closed(const LoadedPattern& node) const;
+  /// c_j: s = sum_k r_nk + sum_j c_j tau_j, to which the bounds of candidates refer.
+  [[nodiscard]] const std::vector<double>& weights() const { return scales_; }
   /// Evidence of the state of the last node, which is feasible: tangential reactions of U and the
   /// mean motion of the displacements, u_n being zero on U, under the load once.
   [[nodiscard]] std::vector<double> state_numbers(const LoadedPattern& pattern) const;
@@ -156,6 +167,9 @@ class HoldNodes {
   [[nodiscard]] std::uint64_t programs() const { return programs_; }
 
  private:
+  [[nodiscard]] LoadPart load_part() const {
+    return {static_cast<int>(loads_), equation_, grip_unit_};
+  }
   std::optional<HoldResult> solve_with_cuts(const LoadedPattern& node);
   HoldResult degenerate(const LoadedPattern& node, double upper);
 
@@ -176,6 +190,9 @@ class HoldNodes {
   double grip_unit_ = 1;                 // of the equation of a restriction
   std::vector<CandidateBounds> bounds_;  // empty: none
   std::optional<int> one_sided_;         // candidate of the last node, decided by its bounds
+  // Evidence of the last node, if it is infeasible by cuts, or empty by the bounds alone.
+  std::optional<std::vector<double>> by_cuts_;
+  bool wants_evidence_ = false;
   LoadedPattern limit_;
   support::IndexSet limited_to_;  // candidates and loads of the relative interior of the last node
   Eigen::VectorXd multipliers_;   // of the last node
@@ -198,11 +215,15 @@ class HoldTree {
   }
 
   /// Receives the evidence of each infeasible node.
-  using Reporter = std::function<void(const LoadedPattern&, std::vector<double>)>;
-  void report_to(Reporter reporter) { reporter_ = std::move(reporter); }
+  using Reporter = std::function<void(ClosedNode)>;
+  void report_to(Reporter reporter) {
+    reporter_ = std::move(reporter);
+    nodes_.keep_evidence();
+  }
 
   [[nodiscard]] CandidateBounding bounding() const { return nodes_.bounding(); }
   void tighten(std::vector<CandidateBounds> bounds) { nodes_.tighten(std::move(bounds)); }
+  [[nodiscard]] const std::vector<double>& weights() const { return nodes_.weights(); }
   /// States of the dead load alone do not count. @pre another share
   void except_dead() { nodes_.except_dead(); }
 

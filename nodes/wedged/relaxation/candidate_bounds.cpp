@@ -28,6 +28,9 @@ constexpr double min_share_under_loads = 1e-3;
 
 /// Bounds are increased by this share, to leave the proofs a margin for rounding errors.
 constexpr double room = 1e-6;
+/// The same under loads: of bodies whose normals are parallel only up to the sixteenth digit, each
+/// bound is proved for large displacements, whose errors add up over hundreds of them.
+constexpr double room_under_loads = 1e-4;
 
 /// Improvements of a bound below this share are not added.
 constexpr double hardly_better = 1e-2;
@@ -96,21 +99,29 @@ std::vector<conic::Cut> cuts_of(const IndexSet& candidates,
 }
 
 std::vector<double> cut_evidence(const ContactSolver& solver, const MeanMotion& mean_motion,
-                                 std::span<const conic::Cut> cuts) {
+                                 std::span<const conic::Cut> cuts, const LoadPart& part) {
   // Far smaller multipliers of cuts are due to the barrier of the interior-point method; those of an
   // unconstrained body would have to be in equilibrium with the others.
   constexpr double negligible_cut = 1e-7;
-  auto numbers = mean_motion.with_multipliers(solver.multipliers(), solver.unit());
-  const double least =
-      mean_motion.count() == 0
-          ? 0
-          : negligible_cut * solver.multipliers().head(solver.candidates()).cwiseAbs().maxCoeff();
+  const Eigen::Index m = solver.candidates() - part.loads;
+  const auto y = solver.multipliers().head(m);
+  const Eigen::VectorXd beta = solver.motion_multipliers();
+  Eigen::VectorXd own(m + mean_motion.count());
+  own << y, beta.head(mean_motion.count());
+  auto numbers = mean_motion.with_multipliers(own, solver.unit());
+  if (part.has_equation())
+    numbers.push_back(part.equation_unit * solver.unit() * beta[beta.size() - 1]);
+  const double least = mean_motion.count() == 0 ? 0 : negligible_cut * y.cwiseAbs().maxCoeff();
   const auto first = numbers.size();
-  numbers.resize(first + static_cast<std::size_t>(solver.candidates()));
+  numbers.resize(first + static_cast<std::size_t>(m));
   for (std::size_t cut = 0; cut < cuts.size(); ++cut) {
-    const double own = cuts[cut].share * solver.cut_multiplier(cut);
-    if (own > least)
-      numbers[first + static_cast<std::size_t>(cuts[cut].candidate)] = solver.unit() * own;
+    const double of_cut = cuts[cut].share * solver.cut_multiplier(cut);
+    const double in_y = cuts[cut].displacement * solver.cut_multiplier(cut);
+    const auto place = static_cast<std::size_t>(cuts[cut].candidate);
+    if (std::max(of_cut, in_y) > least)
+      numbers[first + place] = solver.unit() * of_cut;
+    else
+      numbers[place] += in_y;
   }
   return numbers;
 }
@@ -119,9 +130,10 @@ std::vector<double> cut_evidence(const ContactSolver& solver, const MeanMotion& 
 // rigid-body displacement.
 CandidateBounding::CandidateBounding(const problems::WedgedProblem& problem,
                                      std::span<const double> friction, conic::Tolerances tolerances,
-                                     LoadPart part)
+                                     const LoadPart& part, MeanMotion mean_motion)
     : solver_(problem, friction, tolerances, Precision::escalating, part.loads, part.equation),
-      mean_motion_(problem),
+      mean_motion_(std::move(mean_motion)),
+      part_(part),
       bounds_(friction.size() - static_cast<std::size_t>(part.loads)),
       minimum_(bounds_.size()) {
   solver_.make_room(candidates() + 1);
@@ -140,7 +152,7 @@ CandidateBounding::CandidateBounding(const problems::WedgedProblem& problem,
     minimum_[static_cast<std::size_t>(i)] = {.gap = share * (maximum / solver_.unit()),
                                              .reaction = share};
     if (mean_motion_.count() > 0) continue;
-    std::vector<double> numbers(2 * bounds_.size() + 1);
+    std::vector<double> numbers(2 * bounds_.size() + (part.has_equation() ? 2 : 1));
     numbers[static_cast<std::size_t>(i)] = 1;
     numbers.back() = 1;
     add_bound({.candidate = i, .side = Side::separated, .maximum = maximum, .numbers = numbers});
@@ -163,7 +175,7 @@ void CandidateBounding::add_bound(ProvedBound bound) {
 }
 
 std::vector<double> CandidateBounding::evidence(std::span<const conic::Cut> cuts, Side side) const {
-  auto numbers = cut_evidence(solver_, mean_motion_, cuts.first(cuts.size() - 1));
+  auto numbers = cut_evidence(solver_, mean_motion_, cuts.first(cuts.size() - 1), part_);
   const double own = solver_.cut_multiplier(cuts.size() - 1);
   numbers.push_back(side == Side::contact ? solver_.unit() * own : own);
   return numbers;
@@ -197,10 +209,11 @@ std::optional<ProvedBound> CandidateBounding::improved(int candidate, Side side)
   solver_.solve_with(cuts, contact, separated, once_known(bound));
   const double maximum = bound + solver_.max_of(cuts.size() - 1);
   const auto& minimum = minimum_[static_cast<std::size_t>(candidate)];
+  const double own_room = (part_.loads > 0 ? room_under_loads : room) * bound;
   ProvedBound result{.candidate = candidate, .side = side, .maximum = maximum, .numbers = {}};
-  if (!(maximum < -room * bound)) {
+  if (!(maximum < -own_room)) {
     result.maximum =
-        std::max(maximum + room * bound, side == Side::contact ? minimum.reaction : minimum.gap);
+        std::max(maximum + own_room, side == Side::contact ? minimum.reaction : minimum.gap);
     if (!(result.maximum < (1 - hardly_better) * bound)) return {};
   }
   result.maximum = in_units(result.maximum, side);
@@ -303,7 +316,7 @@ RootBounds bound_candidates(engine::Analysis& analysis, const problems::WedgedPr
   result.proved = bounding.proved();
   std::vector<int> in_whole(candidates.begin(), candidates.end());
   for (auto& each : result.proved) {
-    each.block = block;
+    each.theorem = block;
     each.candidate = in_whole[static_cast<std::size_t>(each.candidate)];
   }
   return result;

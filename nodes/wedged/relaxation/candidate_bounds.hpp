@@ -52,19 +52,20 @@ struct CandidateBounds {
 
 /// A bound with its evidence, in units of the problem (docs/certificates.md).
 struct ProvedBound {
-  std::uint32_t block = 0;
-  int candidate = 0;  ///< of the block; of the whole problem in RootBounds
+  std::uint32_t theorem = 0;  ///< of the certificate; for wedged configurations the block
+  int candidate = 0;          ///< of the block; of the whole problem in a certificate
   Side side = Side::contact;
-  double maximum = 0;  ///< of r_n or u_n, for sum_k r_nk = 1; negative: none on this side
+  double maximum = 0;  ///< of r_n or u_n, for s = 1; negative: none on this side
   /// Multipliers of the normal displacements, m; for an unconstrained body the mean motion of w, p;
-  /// those of the cuts of all candidates, m, and of the bound itself unless `maximum` is negative.
+  /// with an equation its multiplier; those of the cuts of all candidates, m, and of the bound itself
+  /// unless `maximum` is negative.
   std::vector<double> numbers;
 
   [[nodiscard]] bool excludes_side() const { return maximum < 0; }
 
   template <class Archive>
   void serialize(Archive& archive, unsigned /*version*/) {
-    archive& block& candidate& side& maximum& numbers;
+    archive& theorem& candidate& side& maximum& numbers;
   }
 };
 
@@ -80,18 +81,22 @@ std::optional<int> one_sided(const support::IndexSet& free,
 std::vector<conic::Cut> cuts_of(const support::IndexSet& candidates,
                                 std::span<const CandidateBounds> bounds);
 
-/// Evidence of a solution with cuts, in units of the problem: its multipliers of the normal
-/// displacements, m, the mean motion of w, p, and by candidate those of s >= u_n / gap + r_n /
-/// reaction, m.
-std::vector<double> cut_evidence(const ContactSolver& solver, const MeanMotion& mean_motion,
-                                 std::span<const conic::Cut> cuts);
-
 /// Loads, which are the last candidates of a problem, and an equation, the last column of its modes
 /// (nodes/wedged/hold/load_program.hpp).
 struct LoadPart {
   int loads = 0;
   conic::SideEquation equation = conic::SideEquation::none;
+  double equation_unit = 1;  ///< factor of the equation in units of the problem
+
+  [[nodiscard]] bool has_equation() const { return equation != conic::SideEquation::none; }
 };
+
+/// Evidence of a solution with cuts, in units of the problem: its multipliers of the normal
+/// displacements, m, the mean motion of w, p, with an equation its multiplier, and by candidate those
+/// of s >= u_n / gap + r_n / reaction, m.
+/// @param mean_motion of the problem without loads
+std::vector<double> cut_evidence(const ContactSolver& solver, const MeanMotion& mean_motion,
+                                 std::span<const conic::Cut> cuts, const LoadPart& part = {});
 
 /// Finds the bounds of one block's candidates, one program after another.
 class CandidateBounding {
@@ -99,7 +104,11 @@ class CandidateBounding {
   /// Initial bounds that need no program; an unconstrained body has none.
   /// @param problem of the block  @param friction of its candidates, and of the loads
   CandidateBounding(const problems::WedgedProblem& problem, std::span<const double> friction,
-                    conic::Tolerances tolerances, LoadPart part = {});
+                    conic::Tolerances tolerances)
+      : CandidateBounding(problem, friction, tolerances, {}, MeanMotion(problem)) {}
+  /// The same under loads. @param mean_motion of the block without loads
+  CandidateBounding(const problems::WedgedProblem& problem, std::span<const double> friction,
+                    conic::Tolerances tolerances, const LoadPart& part, MeanMotion mean_motion);
 
   /// A bound by one program, which depends on the added bounds only. Nothing if it is hardly better
   /// than the present one.
@@ -113,8 +122,7 @@ class CandidateBounding {
   /// m.
   [[nodiscard]] int candidates() const { return static_cast<int>(bounds_.size()); }
   [[nodiscard]] const std::vector<CandidateBounds>& bounds() const { return bounds_; }
-  /// All added bounds, in this order; each is proved with those before. Under loads their numbers
-  /// are no evidence.
+  /// All added bounds, in this order; each is proved with those before.
   [[nodiscard]] const std::vector<ProvedBound>& proved() const { return proved_; }
 
  private:
@@ -124,6 +132,7 @@ class CandidateBounding {
 
   ContactSolver solver_;
   MeanMotion mean_motion_;
+  LoadPart part_;
   std::vector<CandidateBounds> bounds_, minimum_;
   std::vector<ProvedBound> proved_;
 };

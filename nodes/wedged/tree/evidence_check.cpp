@@ -31,6 +31,15 @@ verify::Certificate header_of(const problems::WedgedProblem& problem) {
   return header;
 }
 
+verify::CandidateBound verified(const ProvedBound& bound, std::size_t theorem) {
+  const std::optional maximum(bound.maximum);
+  return {.theorem = theorem,
+          .candidate = bound.candidate,
+          .side = bound.side == Side::contact ? verify::Side::contact : verify::Side::separated,
+          .maximum = bound.excludes_side() ? std::nullopt : maximum,
+          .numbers = bound.numbers};
+}
+
 EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
                              const verify::EnclosedProblem& enclosed,
                              std::span<const double> friction, std::span<const ProvedBound> bounds,
@@ -39,17 +48,8 @@ EvidenceCheck::EvidenceCheck(const problems::WedgedProblem& problem,
   certificate_.friction = {friction.begin(), friction.end()};
   proof_.emplace(certificate_, enclosed.stiffness, enclosed.motions);
   if (!proof_->min_eigenvalue()) return;
-  for (const auto& bound : bounds) {
-    const std::optional maximum(bound.maximum);
-    const auto refusal = proof_->add_bound(
-        {.line = 0,
-         .block = bound.block,
-         .candidate = bound.candidate,
-         .side = bound.side == Side::contact ? verify::Side::contact : verify::Side::separated,
-         .maximum = bound.excludes_side() ? std::nullopt : maximum,
-         .numbers = bound.numbers});
-    if (refusal) return;  // later bounds may depend on it
-  }
+  for (const auto& bound : bounds)  // later ones may depend on one that is refused
+    if (proof_->add_bound(verified(bound, bound.theorem))) return;
   proves_bounds_ = true;
 }
 

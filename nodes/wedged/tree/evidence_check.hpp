@@ -2,6 +2,7 @@
 // certificate with these nodes.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -43,6 +44,9 @@ std::variant<verify::EnclosedProblem, std::string> enclosed_stiffness_without_li
 /// The problem of a certificate with one theorem about the wedged configurations of each block;
 /// without friction, K and loads.
 verify::Certificate header_of(const problems::WedgedProblem& problem);
+
+/// A bound as one of a certificate.
+verify::CandidateBound verified(const ProvedBound& bound, std::size_t theorem);
 
 /// Treatment of proofs that do not cover large displacements (verify/wedged/block_model.hpp). In
 /// structures with long levers, small rotations cause such displacements.

@@ -238,7 +238,7 @@ TEST(CandidateBounds, AreSatisfiedByTheRaysOfEveryPatternInThePlane) {
 }
 
 bool same(const ProvedBound& first, const ProvedBound& second) {
-  return first.block == second.block && first.candidate == second.candidate &&
+  return first.theorem == second.theorem && first.candidate == second.candidate &&
          first.side == second.side && first.maximum == second.maximum &&
          first.numbers == second.numbers;
 }

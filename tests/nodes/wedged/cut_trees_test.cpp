@@ -357,7 +357,7 @@ double largest(const Searched& own, const ProvedBound& bound) {
 
 verify::CandidateBound as_written(const ProvedBound& bound) {
   return {.line = 0,
-          .block = bound.block,
+          .theorem = bound.theorem,
           .candidate = bound.candidate,
           .side = bound.side == Side::contact ? verify::Side::contact : verify::Side::separated,
           .maximum = bound.excludes_side() ? std::nullopt : std::optional(bound.maximum),
