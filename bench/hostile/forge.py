@@ -525,7 +525,7 @@ def honest(kusabi, toml, rng):
     for call in CALLS:
         words = call.format(mu=mu, less=0.6 * mu, total=total).split()
         code, _, line = kusabi.run(words[0], toml, *words[1:], "--serial", "--certificate", os.path.join(kusabi.folder, "cert"))
-        if code not in (0, 3) and "load" not in line and "parts" not in line:
+        if code not in (0, 3) and toml not in line and "load" not in line and "parts" not in line:
             raise RuntimeError(f"{' '.join(words)}: exit code {code}: {line}")
         for place in sorted(pathlib.Path(kusabi.folder).glob("cert*")):
             own = Certificate(place.read_text())
