@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <span>
 #include <utility>
@@ -17,37 +16,29 @@ Dyadic product(const Dyadic& a, double b) {
   return a * Dyadic(b);
 }
 
-// Bounds of the error of each entry of the certificate's columns; empty if they are exact.
-std::vector<Sparse> errors_of(const LimitCertificate& certificate, const LimitTruss& truss) {
-  std::vector<Sparse> errors(truss.columns.size());
-  bool any = false;
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    std::map<std::size_t, Approximate> difference;
-    for (const auto& [e, entry] : truss.columns[i]) {
-      difference[e].value = difference[e].value + entry.value;
-      difference[e].error = difference[e].error + entry.error;
-    }
-    for (const auto& [e, entry] : certificate.columns[i]) {
-      difference[e].value = difference[e].value - Dyadic(entry);
-    }
-    for (const auto& [e, each] : difference) {
-      const auto error = absolute(each.value) + each.error;
-      if (error.sign() == 0) continue;
-      any = true;
-      errors[i].emplace_back(e, double_above(error));
-    }
-  }
-  if (!any) errors.clear();
-  return errors;
-}
-
 }  // namespace
 
-LimitProof::LimitProof(const LimitCertificate& certificate, LimitTruss truss)
-    : certificate_(certificate),
-      truss_(std::move(truss)),
-      uncertain_(certificate.uncertain.begin(), certificate.uncertain.end()),
-      column_errors_(errors_of(certificate_, truss_)) {
+LimitColumn::LimitColumn(const Sparse& load) : direction(load) {
+  if (load.size() != 1) return;
+  weight = std::abs(load.front().second);
+  direction.front().second = std::copysign(1.0, load.front().second);
+}
+
+LimitProof::LimitProof(const LimitTruss& truss, std::span<const LimitCut> cuts)
+    : truss_(truss), cuts_(cuts), uncertain_(truss.uncertain.begin(), truss.uncertain.end()) {
+  bool exact = true;
+  for (const auto& column : truss.columns) {
+    auto& rounded = columns_.emplace_back();
+    auto& errors = column_errors_.emplace_back();
+    for (const auto& [e, entry] : column) {
+      rounded.emplace_back(e, entry.value.nearest());
+      const auto error = absolute(entry.value - Dyadic(rounded.back().second)) + entry.error;
+      if (error.sign() == 0) continue;
+      errors.emplace_back(e, double_above(error));
+      exact = false;
+    }
+  }
+  if (exact) column_errors_.clear();
   const auto rounded = [](const Approximate& number) {
     return TwoDoubles::of(number.value, number.error);
   };
@@ -57,9 +48,9 @@ LimitProof::LimitProof(const LimitCertificate& certificate, LimitTruss truss)
   }
   std::vector<TwoDoubles> reference;
   for (const auto& each : truss_.reference) reference.push_back(rounded(each));
-  for (const auto& cut : certificate.cuts) {
+  for (const auto& cut : cuts) {
     // d + k f_R - B y
-    std::vector<EnclosedSum> sums(certificate.displacements);
+    std::vector<EnclosedSum> sums(truss_.displacements());
     for (const auto& [e, value] : uncertain_[cut.column].direction) sums[e].add({value}, 1);
     for (std::size_t e = 0; e < sums.size(); ++e) sums[e].add(reference[e], cut.factor);
     for (const auto& [member, force] : cut.forces) {
@@ -81,7 +72,7 @@ Sparse LimitProof::defect_of(const LimitCut& cut, std::span<const EnclosedSum> s
 }
 
 Sparse LimitProof::exact_defect_of(const LimitCut& cut) const {
-  std::vector<Dyadic> load(certificate_.displacements);
+  std::vector<Dyadic> load(truss_.displacements());
   for (const auto& [e, value] : uncertain_[cut.column].direction) {
     load[e] = load[e] + Dyadic(value);
   }
@@ -112,16 +103,17 @@ std::vector<Dyadic> LimitProof::defect(const Sparse& forces, std::vector<Dyadic>
   return load;
 }
 
-bool LimitProof::load_is_admissible() const {
-  for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
-    if (std::abs(certificate_.load[j]) > certificate_.alpha[j]) return false;
+bool LimitProof::is_admissible(const std::vector<double>& load) const {
+  for (std::size_t j = 0; j < load.size(); ++j) {
+    if (std::abs(load[j]) > truss_.alpha[j]) return false;
   }
   return true;
 }
 
-std::variant<mpq_class, std::string> LimitProof::upper() const {
-  if (!load_is_admissible()) return "the load is outside of its bounds";
-  const auto u = corrected_motion(certificate_, truss_, false);
+std::variant<mpq_class, std::string> LimitProof::upper(const CollapseMotion& collapse) const {
+  if (!is_admissible(collapse.load)) return "the load is outside of its bounds";
+  const auto strengths = truss_.remaining(collapse.lost);
+  const auto u = corrected_motion(collapse, truss_, false);
   Dyadic work;        // of f_R
   Dyadic work_error;  // of the work
   Dyadic value;
@@ -132,15 +124,15 @@ std::variant<mpq_class, std::string> LimitProof::upper() const {
     value = value - truss_.dead[e].value * u[e] + truss_.dead[e].error * size;
   }
   if (!(work > work_error)) return "the reference load does no work on the motion";
-  for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
-    for (const auto& [e, each] : certificate_.uncertain[j]) {
-      value.add_product(product(u[e], each), -certificate_.load[j]);
+  for (std::size_t j = 0; j < collapse.load.size(); ++j) {
+    for (const auto& [e, each] : truss_.uncertain[j]) {
+      value.add_product(product(u[e], each), -collapse.load[j]);
     }
   }
-  for (std::size_t i = 0; i < certificate_.members(); ++i) {
+  for (std::size_t i = 0; i < truss_.members(); ++i) {
     const auto elongation = elongation_of(truss_.columns[i], u);
-    const double tension = certificate_.tension[i];
-    const double compression = certificate_.compression[i];
+    const double tension = strengths.tension[i];
+    const double compression = strengths.compression[i];
     value.add_product(absolute(elongation), elongation.sign() < 0 ? compression : tension);
     for (const auto& [e, entry] : truss_.columns[i]) {
       value.add_product(entry.error * absolute(u[e]), std::max(tension, compression));
@@ -151,14 +143,13 @@ std::variant<mpq_class, std::string> LimitProof::upper() const {
 }
 
 std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) const {
-  const auto& certificate = certificate_;
-  const auto m = certificate.uncertain.size();
-  Stress stress{node.forces, std::vector<Dyadic>(certificate.members()),
-                std::vector<Dyadic>(certificate.displacements)};
+  const auto m = truss_.uncertain.size();
+  Stress stress{node.forces, std::vector<Dyadic>(truss_.members()),
+                std::vector<Dyadic>(truss_.displacements())};
   std::vector<Dyadic> share_of(m);
   Dyadic value(node.factor);
   for (const auto& [c, share] : node.shares) {
-    const auto& cut = certificate.cuts[c];
+    const auto& cut = cuts_[c];
     const Dyadic mu(share);
     share_of[cut.column] = share_of[cut.column] + mu;
     value.add_product(mu, -std::abs(cut.factor));
@@ -173,7 +164,7 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
   for (const auto& dead : truss_.dead) load.push_back(dead.value);
   for (std::size_t j = 0; j < m; ++j) {
     const auto& [weight, direction] = uncertain_[j];
-    const Dyadic needed = Dyadic(certificate.alpha[j]) * Dyadic(weight);
+    const Dyadic needed = Dyadic(truss_.alpha[j]) * Dyadic(weight);
     if (node.signs[j] == 0) {
       if (share_of[j] < needed) return "the cuts of a column have too small a share";
     } else {
@@ -194,15 +185,14 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
 }
 
 std::variant<mpq_class, std::string> LimitProof::carried(const StressState& state) const {
-  Stress stress{std::vector<double>(certificate_.members()),
-                std::vector<Dyadic>(certificate_.members()),
-                std::vector<Dyadic>(certificate_.displacements)};
-  std::vector<bool> stressed(certificate_.members());
+  Stress stress{std::vector<double>(truss_.members()), std::vector<Dyadic>(truss_.members()),
+                std::vector<Dyadic>(truss_.displacements())};
+  std::vector<bool> stressed(truss_.members());
   for (const auto member : state.support) stressed[member] = true;
   Dyadic value;
   for (std::size_t k = 0; k < state.columns.size(); ++k) {
     const auto& [factor, forces] = state.columns[k];
-    std::vector<Dyadic> load(certificate_.displacements);
+    std::vector<Dyadic> load(truss_.displacements());
     Sparse within;
     for (const auto& force : forces) {
       if (stressed[force.first]) within.push_back(force);
@@ -213,9 +203,8 @@ std::variant<mpq_class, std::string> LimitProof::carried(const StressState& stat
       for (const auto& [i, force] : within) stress.forces[i] = force;
     } else {
       value = value - absolute(Dyadic(factor));
-      const Dyadic half_width(certificate_.alpha[k - 1]);
-      for (const auto& [e, each] : certificate_.uncertain[k - 1])
-        load[e].add_product(half_width, each);
+      const Dyadic half_width(truss_.alpha[k - 1]);
+      for (const auto& [e, each] : truss_.uncertain[k - 1]) load[e].add_product(half_width, each);
       for (const auto& [i, force] : within)
         stress.taken[i] = stress.taken[i] + absolute(Dyadic(force));
     }
@@ -235,12 +224,12 @@ std::variant<mpq_class, std::string> LimitProof::carried(const StressState& stat
 // Slack of each member beside its force, or the name of a member that yields.
 std::variant<std::vector<double>, std::string> LimitProof::slack_of(const Stress& stress) const {
   std::vector<double> slack;
-  for (std::size_t i = 0; i < certificate_.members(); ++i) {
+  for (std::size_t i = 0; i < truss_.members(); ++i) {
     const Dyadic force(stress.forces[i]);
-    const Dyadic tension = Dyadic(certificate_.tension[i]) - force - stress.taken[i];
-    const Dyadic compression = Dyadic(certificate_.compression[i]) + force - stress.taken[i];
+    const Dyadic tension = Dyadic(truss_.below.tension[i]) - force - stress.taken[i];
+    const Dyadic compression = Dyadic(truss_.below.compression[i]) + force - stress.taken[i];
     const Dyadic& minimum = tension < compression ? tension : compression;
-    if (minimum.sign() < 0) return name_of(i) + " yields";
+    if (minimum.sign() < 0) return "member " + truss_.names[i] + " yields";
     slack.push_back(double_below(minimum));
   }
   return slack;
@@ -254,13 +243,13 @@ std::optional<std::string> LimitProof::yielding(const std::vector<double>& slack
   for (std::size_t e = 0; e < defects.size(); ++e)
     rounded.push_back(double_above(defects[e] + truss_.dead[e].error));
   if (are_covered(rounded, slack)) return std::nullopt;
-  const MemberColumns members{certificate_.displacements, certificate_.columns, column_errors_};
+  const MemberColumns members{truss_.displacements(), columns_, column_errors_};
   const auto found = forces_against_defects(members, slack, rounded);
   if (const auto* why = std::get_if<std::string>(&found)) return *why;
   const auto& against = std::get<std::vector<double>>(found);
   for (std::size_t i = 0; i < slack.size(); ++i) {
     if (!(against[i] <= slack[i])) {
-      return name_of(i) + " yields under the equilibrium defect";
+      return "member " + truss_.names[i] + " yields under the equilibrium defect";
     }
   }
   return std::nullopt;
@@ -275,8 +264,7 @@ bool LimitProof::are_covered(const std::vector<double>& defects,
   if (largest == 0) return true;
   if (!std::isfinite(largest) || std::ranges::any_of(slack, is_zero)) return false;
   if (!unit_forces_)
-    unit_forces_ = forces_against_unit_defects(
-        {certificate_.displacements, certificate_.columns, column_errors_});
+    unit_forces_ = forces_against_unit_defects({truss_.displacements(), columns_, column_errors_});
   if (unit_forces_->empty()) return false;
   for (std::size_t i = 0; i < slack.size(); ++i) {
     // Rounded up.
@@ -285,25 +273,16 @@ bool LimitProof::are_covered(const std::vector<double>& defects,
   return true;
 }
 
-// A certificate without a problem file has numbers of members only.
-std::string LimitProof::name_of(std::size_t member) const {
-  if (truss_.members.empty())
-    return "member " + std::to_string(member + 1) + " of the certificate, counted from 1,";
-  return "member " + truss_.members[member];
-}
-
-bool LimitProof::shows_no_factor() const {
+bool LimitProof::shows_no_factor(const CollapseMotion& collapse) const {
   const auto& reference = truss_.reference;
   const auto exact = [](const Approximate& load) { return load.error.sign() == 0; };
-  if (!load_is_admissible()) return false;
-  if (certificate_.motion.size() != reference.size() || !std::ranges::all_of(reference, exact)) {
-    return false;
-  }
+  if (!is_admissible(collapse.load) || !std::ranges::all_of(reference, exact)) return false;
+  const auto strengths = truss_.remaining(collapse.lost);
   std::vector<mpq_class> motion;
-  for (const auto& u : corrected_motion(certificate_, truss_, true)) motion.push_back(u.rational());
-  const auto largest = std::ranges::max_element(certificate_.reference, {},
-                                                [](double value) { return std::abs(value); });
-  const auto place = static_cast<std::size_t>(largest - certificate_.reference.begin());
+  for (const auto& u : corrected_motion(collapse, truss_, true)) motion.push_back(u.rational());
+  const auto largest = std::ranges::max_element(
+      reference, {}, [](const Approximate& each) { return std::abs(each.value.nearest()); });
+  const auto place = static_cast<std::size_t>(largest - reference.begin());
   if (place >= motion.size() || reference[place].value.sign() == 0) return false;
   mpq_class work = 0;
   for (std::size_t e = 0; e < motion.size(); ++e) work += reference[e].value.rational() * motion[e];
@@ -312,9 +291,9 @@ bool LimitProof::shows_no_factor() const {
   for (std::size_t e = 0; e < motion.size(); ++e) {
     excess += truss_.dead[e].value.rational() * motion[e];
   }
-  for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
-    for (const auto& [e, each] : certificate_.uncertain[j]) {
-      excess += mpq_class(certificate_.load[j]) * each * motion[e];
+  for (std::size_t j = 0; j < collapse.load.size(); ++j) {
+    for (const auto& [e, each] : truss_.uncertain[j]) {
+      excess += mpq_class(collapse.load[j]) * each * motion[e];
     }
   }
   const int sign = sgn(excess);
@@ -322,9 +301,9 @@ bool LimitProof::shows_no_factor() const {
   for (std::size_t e = 0; e < motion.size(); ++e) {
     excess -= truss_.dead[e].error.rational() * abs(motion[e]);
   }
-  for (std::size_t i = 0; i < certificate_.members(); ++i) {
-    const double tension = certificate_.tension[i];
-    const double compression = certificate_.compression[i];
+  for (std::size_t i = 0; i < truss_.members(); ++i) {
+    const double tension = strengths.tension[i];
+    const double compression = strengths.compression[i];
     mpq_class elongation = 0;
     for (const auto& [e, entry] : truss_.columns[i]) {
       elongation += entry.value.rational() * motion[e];
