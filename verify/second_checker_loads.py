@@ -27,14 +27,14 @@ def bracket(lower, upper):
 
 
 class Loads(NamedTuple):
-    """A load case: the dead and the reference load, and uncertain columns t_j with their half-widths, densely; for each
-    column whether it is a single component."""
+    """A load case: the dead and the reference load, and uncertain columns t_j = w_j d_j, densely, with their half-widths
+    and w_j: the size of a single component in direction d_j = +-e, otherwise 1."""
     name: str
     dead: list
     reference: list
     columns: list
     widths: list
-    single: list
+    sizes: list
 
 
 class Theorem(NamedTuple):
@@ -198,7 +198,7 @@ class Truss(Certificate):
             width, *words = reader.take("column", least=2)
             parts, _ = reader.groups([*words, ""], 3)
             case.widths.append(reader.real(width))
-            case.single.append(len(parts) == 3)
+            case.sizes.append(abs(reader.real(parts[2])) if len(parts) == 3 else Fraction(1))
             case.columns.append([Fraction(0)] * len(self.free))
             for node, axis, word in zip(parts[::3], parts[1::3], parts[2::3]):
                 at, x = (reader.whole(node, 0, self.nodes), reader.whole(axis, 0, self.d)), reader.real(word)
@@ -261,7 +261,7 @@ class Truss(Certificate):
             return min(best)
         return self.attempt(reader.at, prove)
 
-    def carried(self, strengths, reference, support, states, least=-INFINITE):
+    def carried(self, strengths, reference, support, states, least):
         """The factor at which members of the support alone carry the first load with any share from -1 to 1 of each of
         the others: proofs.md, "The lower bound" and "States after a loss". States are a load, a factor and densities;
         densities near them are in exact equilibrium within the yield forces."""
@@ -303,10 +303,8 @@ class Truss(Certificate):
     def of_nodes(self, reader, strengths, loads, claim):
         """Reads cuts and nodes. The least of the nodes' bounds; None: there are no nodes, which may be, or they prove
         none. The letters are those of proofs.md, "The lower bound"; needed are the alpha_j w_j, less shares of cuts."""
-        # d_j and w_j: a single component is a size w_j in direction d_j = +-e.
-        sizes = [abs(sum(t)) if single else Fraction(1) for t, single in zip(loads.columns, loads.single)]
-        directions = [[x / w for x in t] for t, w in zip(loads.columns, sizes)]
-        half = [a * w for a, w in zip(loads.widths, sizes)]
+        directions = [[x / w for x in t] for t, w in zip(loads.columns, loads.sizes)]
+        half = [a * w for a, w in zip(loads.widths, loads.sizes)]
         cuts, nodes, bounds, M = [], [], [], len(self.B)
         for _ in range(reader.one("cuts")):
             j, k, *words = reader.take("cut", least=3)
@@ -327,18 +325,13 @@ class Truss(Certificate):
                 j, k, y = cuts[c]
                 needed[j] -= share
                 states.append(([share * x for x in directions[j]], share * k, {i: share * x for i, x in y.items()}))
-            good = all(x >= 0 for x in [*(nu for _, nu in decided.values()), *shares.values(), *(-x for x in needed)])
-            bounds.append(self.attempt(reader.at, self.node_bound, good, strengths, loads.reference, states))
+            reader.check(min([0, *(nu for _, nu in decided.values()), *shares.values()]) >= 0, "multipliers >= 0")
+            least = INFINITE if max([0, *needed]) > 0 else -INFINITE  # shares of cuts below the half-width prove nothing
+            bounds.append(self.attempt(reader.at, self.carried, strengths, loads.reference, range(M), states, least))
         flaw = cover_flaw(nodes) if nodes or claim == "largest" else None
         if flaw:
             self.refusals.append((reader.at, re.sub("sign pattern(s?)", r"combination\1 of signs", flaw)))
         return min(bounds) if bounds and not flaw and None not in bounds else None
-
-    def node_bound(self, good, strengths, reference, states):
-        """A lower bound for all loads with the decided signs."""
-        if not good:
-            raise Refused("a negative multiplier, or shares of cuts below the half-width of their column")
-        return self.carried(strengths, reference, range(len(self.B)), states)
 
     def found(self, claim, at, end):
         """The bounds of the load cases; None: there is no such theorem, or it has no such bound."""

@@ -238,52 +238,37 @@ std::string summary_of(const VerifyOptions& options, const Theorems& theorems,
   return text;
 }
 
-/// Bounds of both ends of the factors carried in all cases under every load.
-struct ProvedFactors {
-  double min_lower = -infinity, min_upper = -infinity;
-  double largest_lower = infinity, largest_upper = infinity;
-  bool at_none = false;
-  bool of_least = true;  // some bound of the least factors is known
-};
-
-ProvedFactors factors_of(const Theorems& theorems) {
-  ProvedFactors all;
-  std::array<std::set<std::string>, 2> cases;  // of the claims `largest` and `least`
-  for (const auto& each : theorems) {
-    const auto claim = each.theorem.claim;
-    if (claim == LimitClaim::none) {
-      all.at_none = true;
-    } else if (claim == LimitClaim::largest) {
-      cases[0].insert(each.theorem.load_case);
-      all.largest_lower = std::min(all.largest_lower, each.lower);
-      all.largest_upper = std::min(all.largest_upper, each.upper);
-    } else {
-      cases[1].insert(each.theorem.load_case);
-      all.min_lower = std::max(all.min_lower, each.lower);
-      all.min_upper = std::max(all.min_upper, each.upper);
-    }
-  }
-  all.of_least = cases[0] == cases[1];
-  return all;
-}
-
 std::set<std::string> cases_of(const Theorems& theorems) {
   std::set<std::string> cases;
   for (const auto& each : theorems) cases.insert(each.theorem.load_case);
   return cases;
 }
 
-// Sentence about all cases together.
+// Sentence about all cases together: factors that are carried in each of them under every load.
 answer::CertificateCheck::Factor factor_of(const Theorems& theorems) {
-  using Check = answer::CertificateCheck;
-  const auto all = factors_of(theorems);
-  Check::Factor factor{.loads = {.half_width = half_width_of(theorems)},
-                       .cases = cases_of(theorems).size(),
-                       .at_none = all.at_none};
-  if (all.at_none) return factor;
-  factor.largest = Check::proved_between(all.largest_lower, all.largest_upper);
-  if (all.of_least || all.min_lower > all.largest_upper)
-    factor.minimum = Check::proved_between(all.min_lower, all.min_upper);
+  const auto cases = cases_of(theorems);
+  answer::CertificateCheck::Factor factor{.loads = {.half_width = half_width_of(theorems)},
+                                          .cases = cases.size()};
+  double largest_lower = infinity, largest_upper = infinity;
+  double least_lower = -infinity, least_upper = -infinity;
+  std::set<std::string> with_least;
+  for (const auto& each : theorems) {
+    if (each.theorem.claim == LimitClaim::none) {
+      factor.at_none = true;
+    } else if (each.theorem.claim == LimitClaim::largest) {
+      largest_lower = std::min(largest_lower, each.lower);
+      largest_upper = std::min(largest_upper, each.upper);
+    } else {
+      with_least.insert(each.theorem.load_case);
+      least_lower = std::max(least_lower, each.lower);
+      least_upper = std::max(least_upper, each.upper);
+    }
+  }
+  if (factor.at_none) return factor;
+  factor.largest = answer::CertificateCheck::proved_between(largest_lower, largest_upper);
+  if (with_least == cases || least_lower > largest_upper)
+    factor.minimum = answer::CertificateCheck::proved_between(
+        least_lower, with_least == cases ? least_upper : infinity);
   return factor;
 }
 
@@ -294,11 +279,9 @@ answer::CertificateCheck::Factor factor_of_struts(const Theorems& at_strength,
   auto factor = factor_of(at_strength);
   factor.struts = true;
   const bool of_all = cases_of(at_strength) == cases_of(after_buckling);
-  const auto carried = factors_of(after_buckling);
-  const bool known = of_all && !carried.at_none;
-  const auto proved = answer::CertificateCheck::proved_at;
-  factor.largest.lower = known ? proved(carried.largest_lower) : std::nullopt;
-  factor.minimum.upper = known && carried.of_least ? proved(carried.min_upper) : std::nullopt;
+  const auto carried = of_all ? factor_of(after_buckling) : answer::CertificateCheck::Factor();
+  factor.largest.lower = carried.largest.lower;
+  factor.minimum.upper = carried.minimum.upper;
   return factor;
 }
 
