@@ -110,36 +110,59 @@ bool LimitProof::is_admissible(const std::vector<double>& load) const {
   return true;
 }
 
+// Upper bound of the dissipation minus the work of the dead load on a motion.
+Dyadic LimitProof::excess(const CollapseMotion& collapse, const std::vector<Dyadic>& u) const {
+  Dyadic value;
+  for (std::size_t e = 0; e < u.size(); ++e)
+    value = value - truss_.dead[e].value * u[e] + truss_.dead[e].error * absolute(u[e]);
+  for (std::size_t j = 0; j < collapse.load.size(); ++j) {
+    for (const auto& [e, each] : truss_.uncertain[j])
+      value.add_product(product(u[e], each), -collapse.load[j]);
+  }
+  const auto [tensions, compressions] = truss_.remaining(collapse.lost);
+  for (std::size_t i = 0; i < truss_.members(); ++i) {
+    const auto elongation = elongation_of(truss_.columns[i], u);
+    value.add_product(absolute(elongation), elongation.sign() < 0 ? compressions[i] : tensions[i]);
+    for (const auto& [e, entry] : truss_.columns[i])
+      value.add_product(entry.error * absolute(u[e]), std::max(tensions[i], compressions[i]));
+  }
+  return value;
+}
+
 std::variant<mpq_class, std::string> LimitProof::upper(const CollapseMotion& collapse) const {
   if (!is_admissible(collapse.load)) return "the load is outside of its bounds";
-  const auto strengths = truss_.remaining(collapse.lost);
   const auto u = corrected_motion(collapse, truss_, false);
   Dyadic work;        // of f_R
   Dyadic work_error;  // of the work
-  Dyadic value;
   for (std::size_t e = 0; e < u.size(); ++e) {
-    const auto size = absolute(u[e]);
     work = work + truss_.reference[e].value * u[e];
-    work_error = work_error + truss_.reference[e].error * size;
-    value = value - truss_.dead[e].value * u[e] + truss_.dead[e].error * size;
+    work_error = work_error + truss_.reference[e].error * absolute(u[e]);
   }
   if (!(work > work_error)) return "the reference load does no work on the motion";
-  for (std::size_t j = 0; j < collapse.load.size(); ++j) {
-    for (const auto& [e, each] : truss_.uncertain[j]) {
-      value.add_product(product(u[e], each), -collapse.load[j]);
-    }
-  }
-  for (std::size_t i = 0; i < truss_.members(); ++i) {
-    const auto elongation = elongation_of(truss_.columns[i], u);
-    const double tension = strengths.tension[i];
-    const double compression = strengths.compression[i];
-    value.add_product(absolute(elongation), elongation.sign() < 0 ? compression : tension);
-    for (const auto& [e, entry] : truss_.columns[i]) {
-      value.add_product(entry.error * absolute(u[e]), std::max(tension, compression));
-    }
-  }
+  const auto value = excess(collapse, u);
   const auto divisor = value.sign() < 0 ? work + work_error : work - work_error;
   return mpq_class(value.rational() / divisor.rational());
+}
+
+// The corrected motion is multiplied by the reference load at the displacement that is changed.
+bool LimitProof::shows_no_factor(const CollapseMotion& collapse) const {
+  const auto& reference = truss_.reference;
+  const auto exact = [](const Approximate& load) { return load.error.sign() == 0; };
+  if (!is_admissible(collapse.load) || !std::ranges::all_of(reference, exact)) return false;
+  const auto size = [](const Approximate& each) { return std::abs(each.value.nearest()); };
+  const auto largest = std::ranges::max_element(reference, {}, size);
+  if (largest == reference.end() || largest->value.sign() == 0) return false;
+  auto u = corrected_motion(collapse, truss_, true);
+  Dyadic work;
+  for (std::size_t e = 0; e < u.size(); ++e) {
+    work = work + reference[e].value * u[e];
+    u[e] = u[e] * largest->value;
+  }
+  auto& changed = u[static_cast<std::size_t>(largest - reference.begin())];
+  changed = changed - work;
+  if (excess(collapse, u).sign() < 0) return true;
+  for (auto& each : u) each = Dyadic() - each;
+  return excess(collapse, u).sign() < 0;
 }
 
 std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) const {
@@ -178,10 +201,7 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
   for (std::size_t i = 0; i < node.forces.size(); ++i) forces.emplace_back(i, node.forces[i]);
   const auto own = defect(forces, std::move(load), node.factor);
   for (std::size_t e = 0; e < own.size(); ++e) stress.defects[e] = stress.defects[e] + own[e];
-  const auto slack = slack_of(stress);
-  if (const auto* why = std::get_if<std::string>(&slack)) return *why;
-  if (auto why = yielding(std::get<std::vector<double>>(slack), stress.defects)) return *why;
-  return value.rational();
+  return proved(value, stress, std::vector<bool>(truss_.members(), true));
 }
 
 std::variant<mpq_class, std::string> LimitProof::carried(const StressState& state) const {
@@ -211,18 +231,14 @@ std::variant<mpq_class, std::string> LimitProof::carried(const StressState& stat
     const auto own = defect(within, std::move(load), factor);
     for (std::size_t e = 0; e < own.size(); ++e) stress.defects[e] = stress.defects[e] + own[e];
   }
-  auto slack = slack_of(stress);
-  if (const auto* why = std::get_if<std::string>(&slack)) return *why;
-  auto& of_support = std::get<std::vector<double>>(slack);
-  for (std::size_t i = 0; i < stressed.size(); ++i) {
-    if (!stressed[i]) of_support[i] = 0;
-  }
-  if (auto why = yielding(of_support, stress.defects)) return *why;
-  return value.rational();
+  return proved(value, stress, stressed);
 }
 
-// Slack of each member beside its force, or the name of a member that yields.
-std::variant<std::vector<double>, std::string> LimitProof::slack_of(const Stress& stress) const {
+// The factor, if the slack that members have beside their forces is enough for the forces against
+// the defects, with the errors of f_D; otherwise the reason why it is not.
+// @param stressed members outside the support have no slack
+std::variant<mpq_class, std::string> LimitProof::proved(const Dyadic& factor, const Stress& stress,
+                                                        const std::vector<bool>& stressed) const {
   std::vector<double> slack;
   for (std::size_t i = 0; i < truss_.members(); ++i) {
     const Dyadic force(stress.forces[i]);
@@ -230,29 +246,21 @@ std::variant<std::vector<double>, std::string> LimitProof::slack_of(const Stress
     const Dyadic compression = Dyadic(truss_.below.compression[i]) + force - stress.taken[i];
     const Dyadic& minimum = tension < compression ? tension : compression;
     if (minimum.sign() < 0) return "member " + truss_.names[i] + " yields";
-    slack.push_back(double_below(minimum));
+    slack.push_back(stressed[i] ? double_below(minimum) : 0);
   }
-  return slack;
-}
-
-// The slack must be enough for the forces against the defects, with the errors of f_D.
-// @return the reason if it is not
-std::optional<std::string> LimitProof::yielding(const std::vector<double>& slack,
-                                                const std::vector<Dyadic>& defects) const {
-  std::vector<double> rounded;
-  for (std::size_t e = 0; e < defects.size(); ++e)
-    rounded.push_back(double_above(defects[e] + truss_.dead[e].error));
-  if (are_covered(rounded, slack)) return std::nullopt;
+  std::vector<double> defects;
+  for (std::size_t e = 0; e < truss_.displacements(); ++e)
+    defects.push_back(double_above(stress.defects[e] + truss_.dead[e].error));
+  if (are_covered(defects, slack)) return factor.rational();
   const MemberColumns members{truss_.displacements(), columns_, column_errors_};
-  const auto found = forces_against_defects(members, slack, rounded);
-  if (const auto* why = std::get_if<std::string>(&found)) return *why;
+  const auto found = forces_against_defects(members, slack, defects);
+  if (const auto* const why = std::get_if<std::string>(&found)) return *why;
   const auto& against = std::get<std::vector<double>>(found);
   for (std::size_t i = 0; i < slack.size(); ++i) {
-    if (!(against[i] <= slack[i])) {
+    if (!(against[i] <= slack[i]))
       return "member " + truss_.names[i] + " yields under the equilibrium defect";
-    }
   }
-  return std::nullopt;
+  return factor.rational();
 }
 
 // True if a multiple of the forces against unit defects is within the slack: these are the same for
@@ -271,48 +279,6 @@ bool LimitProof::are_covered(const std::vector<double>& defects,
     if (!((*unit_forces_)[i] * largest * (1 + 0x1p-50) <= slack[i])) return false;
   }
   return true;
-}
-
-bool LimitProof::shows_no_factor(const CollapseMotion& collapse) const {
-  const auto& reference = truss_.reference;
-  const auto exact = [](const Approximate& load) { return load.error.sign() == 0; };
-  if (!is_admissible(collapse.load) || !std::ranges::all_of(reference, exact)) return false;
-  const auto strengths = truss_.remaining(collapse.lost);
-  std::vector<mpq_class> motion;
-  for (const auto& u : corrected_motion(collapse, truss_, true)) motion.push_back(u.rational());
-  const auto largest = std::ranges::max_element(
-      reference, {}, [](const Approximate& each) { return std::abs(each.value.nearest()); });
-  const auto place = static_cast<std::size_t>(largest - reference.begin());
-  if (place >= motion.size() || reference[place].value.sign() == 0) return false;
-  mpq_class work = 0;
-  for (std::size_t e = 0; e < motion.size(); ++e) work += reference[e].value.rational() * motion[e];
-  motion[place] -= work / reference[place].value.rational();
-  mpq_class excess = 0;  // dissipation minus work of the dead load
-  for (std::size_t e = 0; e < motion.size(); ++e) {
-    excess += truss_.dead[e].value.rational() * motion[e];
-  }
-  for (std::size_t j = 0; j < collapse.load.size(); ++j) {
-    for (const auto& [e, each] : truss_.uncertain[j]) {
-      excess += mpq_class(collapse.load[j]) * each * motion[e];
-    }
-  }
-  const int sign = sgn(excess);
-  excess = abs(excess);
-  for (std::size_t e = 0; e < motion.size(); ++e) {
-    excess -= truss_.dead[e].error.rational() * abs(motion[e]);
-  }
-  for (std::size_t i = 0; i < truss_.members(); ++i) {
-    const double tension = strengths.tension[i];
-    const double compression = strengths.compression[i];
-    mpq_class elongation = 0;
-    for (const auto& [e, entry] : truss_.columns[i]) {
-      elongation += entry.value.rational() * motion[e];
-      excess -= std::max(tension, compression) * entry.error.rational() * abs(motion[e]);
-    }
-    elongation *= sign;
-    excess -= (elongation < 0 ? compression : tension) * abs(elongation);
-  }
-  return excess > 0;
 }
 
 }  // namespace kusabi::verify

@@ -49,8 +49,8 @@ class LimitProof {
   [[nodiscard]] std::variant<mpq_class, std::string> carried(const StressState& state) const;
 
   /// True if the load is admissible and the motion, or its opposite, proves that no factor exists:
-  /// after a correction at one displacement that makes the work of f_R zero, the
-  /// work of the load exceeds the largest dissipation of the members.
+  /// after a correction at one displacement that makes the work of f_R zero, the work of the load
+  /// exceeds the largest dissipation of the members.
   [[nodiscard]] bool shows_no_factor(const CollapseMotion& collapse) const;
 
  private:
@@ -64,11 +64,11 @@ class LimitProof {
     std::vector<Dyadic> defects;  ///< bounds of the equilibrium errors, by displacement
   };
 
-  [[nodiscard]] std::variant<std::vector<double>, std::string> slack_of(const Stress& stress) const;
-  [[nodiscard]] std::optional<std::string> yielding(const std::vector<double>& slack,
-                                                    const std::vector<Dyadic>& defects) const;
+  [[nodiscard]] std::variant<mpq_class, std::string> proved(
+      const Dyadic& factor, const Stress& stress, const std::vector<bool>& stressed) const;
   [[nodiscard]] bool are_covered(const std::vector<double>& defects,
                                  const std::vector<double>& slack) const;
+  [[nodiscard]] Dyadic excess(const CollapseMotion& collapse, const std::vector<Dyadic>& u) const;
   [[nodiscard]] bool is_admissible(const std::vector<double>& load) const;
 
   const LimitTruss& truss_;
