@@ -48,7 +48,7 @@ TEST(LimitProof, RefusesForcesWhoseDefectIsBeyondAllDoubles) {
   const std::vector<double> strong(6, 1.7e308);
   truss.below = truss.above = {strong, strong};
   truss.dead.resize(2);
-  truss.reference.assign(2, {Dyadic(1.0), {}});
+  truss.reference.assign(2, Dyadic(1.0));
   truss.names.resize(6);
   LimitNode node;
   node.factor = 1000;

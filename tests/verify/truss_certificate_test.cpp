@@ -88,12 +88,6 @@ TEST(LimitProof, ErrorsRaiseTheUpperBoundAndPreventTheLower) {
   for (auto& [place, entry] : coarse.columns[1]) entry.error = error;
   expect(coarse, 0.5 + 0x1p-20, "member low-tip yields");
   coarse = honest;
-  coarse.dead[0].error = error;
-  expect(coarse, 0.5 + 0x1p-20, "yields");
-  coarse = honest;
-  coarse.reference[1].error = error;
-  expect(coarse, 0.5 + 0x1p-22, "yields");
-  coarse = honest;
   for (auto& [place, entry] : coarse.columns[0]) entry.error = Dyadic(1.0);
   expect(coarse, 0.5, "no bound of motions");
 }
@@ -261,7 +255,7 @@ TEST(TrussDifference, AdmitsForcesOfTheSameSum) {
   EXPECT_THAT(truss_difference(recorded, structure).value_or(""), HasSubstr("dead load"));
   for (const double force : {-0.4, 0.3, 0.1}) recorded.truss.dead.push_back({2, {force, 0, 0}});
   EXPECT_EQ(truss_difference(recorded, structure), std::nullopt);
-  EXPECT_LT(limit_truss(recorded.truss)->dead[0].value.nearest(), 0);
+  EXPECT_LT(limit_truss(recorded.truss)->dead[0].nearest(), 0);
 }
 
 TEST(TrussCertificate, NoAlterationProvesAFalseClaim) {

@@ -108,7 +108,8 @@ std::vector<Dyadic> corrected_motion(const CollapseMotion& collapse, const Limit
   TrussColumn reference;
   if (without_work) {
     for (std::size_t e = 0; e < truss.reference.size(); ++e) {
-      if (truss.reference[e].value.sign() != 0) reference.emplace_back(e, truss.reference[e]);
+      if (truss.reference[e].sign() != 0)
+        reference.emplace_back(e, Approximate{truss.reference[e], {}});
     }
     still.push_back(&reference);
   }

@@ -38,7 +38,7 @@ std::vector<Number> sum_of(const std::vector<Force>& forces, const Structure& st
   for (const auto& force : forces) {
     for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
       const auto number = freedom.number[force.node][axis];
-      if (number != Freedom::none) sum[number] += Number(force.components[axis]);
+      if (number != Freedom::none) sum[number] = sum[number] + Number(force.components[axis]);
     }
   }
   return sum;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -47,7 +48,7 @@ LimitProof::LimitProof(const LimitTruss& truss, std::span<const LimitCut> cuts)
     for (const auto& [e, entry] : truss_.columns[i]) columns[i].emplace_back(e, rounded(entry));
   }
   std::vector<TwoDoubles> reference;
-  for (const auto& each : truss_.reference) reference.push_back(rounded(each));
+  for (const auto& each : truss_.reference) reference.push_back(rounded({each, {}}));
   for (const auto& cut : cuts) {
     // d + k f_R - B y
     std::vector<EnclosedSum> sums(truss_.displacements());
@@ -84,20 +85,19 @@ Sparse LimitProof::exact_defect_of(const LimitCut& cut) const {
   return sizes;
 }
 
-// |load + factor f_R - B forces|, by displacement, with the errors of f_R and B.
+// |load + factor f_R - B forces|, by displacement, with the errors of B.
 std::vector<Dyadic> LimitProof::defect(const Sparse& forces, std::vector<Dyadic> load,
                                        double factor) const {
   std::vector<Dyadic> errors(load.size());
-  const auto add = [&](std::size_t e, const Approximate& number, double times) {
-    load[e].add_product(number.value, times);
-    errors[e].add_product(number.error, std::abs(times));
-  };
   if (factor != 0) {
-    for (std::size_t e = 0; e < load.size(); ++e) add(e, truss_.reference[e], factor);
+    for (std::size_t e = 0; e < load.size(); ++e) load[e].add_product(truss_.reference[e], factor);
   }
   for (const auto& [member, force] : forces) {
     if (force == 0) continue;
-    for (const auto& [e, entry] : truss_.columns[member]) add(e, entry, -force);
+    for (const auto& [e, entry] : truss_.columns[member]) {
+      load[e].add_product(entry.value, -force);
+      errors[e].add_product(entry.error, std::abs(force));
+    }
   }
   for (std::size_t e = 0; e < load.size(); ++e) load[e] = absolute(load[e]) + errors[e];
   return load;
@@ -113,8 +113,7 @@ bool LimitProof::is_admissible(const std::vector<double>& load) const {
 // Upper bound of the dissipation minus the work of the dead load on a motion.
 Dyadic LimitProof::excess(const CollapseMotion& collapse, const std::vector<Dyadic>& u) const {
   Dyadic value;
-  for (std::size_t e = 0; e < u.size(); ++e)
-    value = value - truss_.dead[e].value * u[e] + truss_.dead[e].error * absolute(u[e]);
+  for (std::size_t e = 0; e < u.size(); ++e) value = value - truss_.dead[e] * u[e];
   for (std::size_t j = 0; j < collapse.load.size(); ++j) {
     for (const auto& [e, each] : truss_.uncertain[j])
       value.add_product(product(u[e], each), -collapse.load[j]);
@@ -132,31 +131,23 @@ Dyadic LimitProof::excess(const CollapseMotion& collapse, const std::vector<Dyad
 std::variant<mpq_class, std::string> LimitProof::upper(const CollapseMotion& collapse) const {
   if (!is_admissible(collapse.load)) return "the load is outside of its bounds";
   const auto u = corrected_motion(collapse, truss_, false);
-  Dyadic work;        // of f_R
-  Dyadic work_error;  // of the work
-  for (std::size_t e = 0; e < u.size(); ++e) {
-    work = work + truss_.reference[e].value * u[e];
-    work_error = work_error + truss_.reference[e].error * absolute(u[e]);
-  }
-  if (!(work > work_error)) return "the reference load does no work on the motion";
-  const auto value = excess(collapse, u);
-  const auto divisor = value.sign() < 0 ? work + work_error : work - work_error;
-  return mpq_class(value.rational() / divisor.rational());
+  Dyadic work;  // of f_R
+  for (std::size_t e = 0; e < u.size(); ++e) work = work + truss_.reference[e] * u[e];
+  if (work.sign() <= 0) return "the reference load does no work on the motion";
+  return mpq_class(excess(collapse, u).rational() / work.rational());
 }
 
 // The corrected motion is multiplied by the reference load at the displacement that is changed.
 bool LimitProof::shows_no_factor(const CollapseMotion& collapse) const {
   const auto& reference = truss_.reference;
-  const auto exact = [](const Approximate& load) { return load.error.sign() == 0; };
-  if (!is_admissible(collapse.load) || !std::ranges::all_of(reference, exact)) return false;
-  const auto size = [](const Approximate& each) { return std::abs(each.value.nearest()); };
-  const auto largest = std::ranges::max_element(reference, {}, size);
-  if (largest == reference.end() || largest->value.sign() == 0) return false;
+  const auto largest = std::ranges::max_element(reference, std::less<Dyadic>(), absolute);
+  if (!is_admissible(collapse.load) || largest == reference.end() || largest->sign() == 0)
+    return false;
   auto u = corrected_motion(collapse, truss_, true);
   Dyadic work;
   for (std::size_t e = 0; e < u.size(); ++e) {
-    work = work + reference[e].value * u[e];
-    u[e] = u[e] * largest->value;
+    work = work + reference[e] * u[e];
+    u[e] = u[e] * *largest;
   }
   auto& changed = u[static_cast<std::size_t>(largest - reference.begin())];
   changed = changed - work;
@@ -183,8 +174,7 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
     }
   }
   // f_D + sum over decided signs of s (alpha_j w + nu) d + lambda f_R - B q
-  std::vector<Dyadic> load;
-  for (const auto& dead : truss_.dead) load.push_back(dead.value);
+  auto load = truss_.dead;
   for (std::size_t j = 0; j < m; ++j) {
     const auto& [weight, direction] = uncertain_[j];
     const Dyadic needed = Dyadic(truss_.alpha[j]) * Dyadic(weight);
@@ -212,14 +202,13 @@ std::variant<mpq_class, std::string> LimitProof::carried(const StressState& stat
   Dyadic value;
   for (std::size_t k = 0; k < state.columns.size(); ++k) {
     const auto& [factor, forces] = state.columns[k];
-    std::vector<Dyadic> load(truss_.displacements());
+    auto load = k == 0 ? truss_.dead : std::vector<Dyadic>(truss_.displacements());
     Sparse within;
     for (const auto& force : forces) {
       if (stressed[force.first]) within.push_back(force);
     }
     if (k == 0) {
       value = Dyadic(factor);
-      for (std::size_t e = 0; e < load.size(); ++e) load[e] = truss_.dead[e].value;
       for (const auto& [i, force] : within) stress.forces[i] = force;
     } else {
       value = value - absolute(Dyadic(factor));
@@ -235,7 +224,7 @@ std::variant<mpq_class, std::string> LimitProof::carried(const StressState& stat
 }
 
 // The factor, if the slack that members have beside their forces is enough for the forces against
-// the defects, with the errors of f_D; otherwise the reason why it is not.
+// the defects; otherwise the reason why it is not.
 // @param stressed members outside the support have no slack
 std::variant<mpq_class, std::string> LimitProof::proved(const Dyadic& factor, const Stress& stress,
                                                         const std::vector<bool>& stressed) const {
@@ -249,8 +238,7 @@ std::variant<mpq_class, std::string> LimitProof::proved(const Dyadic& factor, co
     slack.push_back(stressed[i] ? double_below(minimum) : 0);
   }
   std::vector<double> defects;
-  for (std::size_t e = 0; e < truss_.displacements(); ++e)
-    defects.push_back(double_above(stress.defects[e] + truss_.dead[e].error));
+  for (const auto& each : stress.defects) defects.push_back(double_above(each));
   if (are_covered(defects, slack)) return factor.rational();
   const MemberColumns members{truss_.displacements(), columns_, column_errors_};
   const auto found = forces_against_defects(members, slack, defects);

@@ -38,10 +38,8 @@ std::optional<LimitTruss> limit_truss(const Structure& structure, double sudden)
     truss.above.compression.push_back(rounded_up(compression));
     truss.names.push_back(structure.names[bar.first] + "-" + structure.names[bar.second]);
   }
-  for (const auto& load : sum_of<Enclosure>(structure.dead, structure, freedom))
-    truss.dead.push_back(middle(load));
-  for (const auto& load : sum_of<Enclosure>(structure.reference, structure, freedom))
-    truss.reference.push_back(middle(load));
+  truss.dead = sum_of<Dyadic>(structure.dead, structure, freedom);
+  truss.reference = sum_of<Dyadic>(structure.reference, structure, freedom);
   truss.uncertain = uncertain_columns(structure, freedom);
   for (const auto& half_width : structure.half_widths)
     truss.alpha.push_back(half_width.value_or(0));

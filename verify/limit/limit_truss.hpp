@@ -30,15 +30,15 @@ struct Strengths {
   std::vector<double> compression;  ///< q^c
 };
 
-/// Direction cosines are roots, enclosed with a hundred digits, as are sums of forces.
+/// Direction cosines are roots, enclosed with a hundred digits; loads are exact.
 struct LimitTruss {
-  std::vector<TrussColumn> columns;    ///< B, by member
-  std::vector<Approximate> dead;       ///< f_D
-  std::vector<Approximate> reference;  ///< f_R
-  std::vector<Sparse> uncertain;       ///< T, by column
-  std::vector<double> alpha;           ///< half-width of each column
-  Strengths below, above;              ///< divided by the dynamic factor, rounded down and up
-  std::vector<std::string> names;      ///< of the members
+  std::vector<TrussColumn> columns;  ///< B, by member
+  std::vector<Dyadic> dead;          ///< f_D
+  std::vector<Dyadic> reference;     ///< f_R
+  std::vector<Sparse> uncertain;     ///< T, by column
+  std::vector<double> alpha;         ///< half-width of each column
+  Strengths below, above;            ///< divided by the dynamic factor, rounded down and up
+  std::vector<std::string> names;    ///< of the members
 
   /// Strengths above, those of lost members being zero.
   [[nodiscard]] Strengths remaining(const std::vector<std::size_t>& lost) const;

@@ -49,9 +49,7 @@ void prove_zero(ProvedEnds& proved) {
   auto& [ends, theorem] = proved;
   if (ends.at_least() >= 0 || !theorem.truss.uncertain) return;
   const auto truss = verify::limit_truss(theorem.truss);
-  const auto is_zero = [](const verify::Approximate& load) {
-    return load.value.sign() == 0 && load.error.sign() == 0;
-  };
+  const auto is_zero = [](const verify::Dyadic& load) { return load.sign() == 0; };
   if (!truss || !std::ranges::all_of(truss->dead, is_zero)) return;
   verify::LimitNode unstressed;
   unstressed.signs.resize(truss->uncertain.size());

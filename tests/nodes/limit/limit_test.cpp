@@ -93,8 +93,8 @@ verify::LimitTruss truss_in_doubles(const LimitProblem& problem, double alpha) {
     for (Eigen::SparseMatrix<double>::InnerIterator entry(problem.equilibrium, i); entry; ++entry)
       column.emplace_back(entry.row(), verify::Approximate{Dyadic(entry.value()), {}});
   }
-  for (const double load : problem.dead) truss.dead.push_back({Dyadic(load), {}});
-  for (const double load : problem.reference) truss.reference.push_back({Dyadic(load), {}});
+  for (const double load : problem.dead) truss.dead.emplace_back(load);
+  for (const double load : problem.reference) truss.reference.emplace_back(load);
   for (const auto& column : problem.uncertain) {
     auto& load = truss.uncertain.emplace_back();
     for (const auto& [degree, value] : column.direction)
