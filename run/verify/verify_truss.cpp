@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -44,6 +46,9 @@ using verify::TrussTheorem;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// Name, or nothing, and half-width of each uncertain load.
+using HalfWidths = std::vector<std::pair<std::string, double>>;
+
 /// A theorem, of the truss of the certificate or of the problem file, and its proof.
 struct Checked {
   TrussTheorem theorem;
@@ -66,6 +71,18 @@ struct PieceVerdict {
     archive& lower& refusal;
   }
 };
+
+// The fingerprint of a problem; nothing, and the reason in `fault`, if limit analysis does not apply
+// to it, as to a load case without a reference load.
+std::optional<std::uint64_t> limit_fingerprint(const problems::CheckedStructure& structure,
+                                               std::optional<support::InputError>& fault) {
+  try {
+    return problems::limit_problem(structure).fingerprint;
+  } catch (const support::InputError& error) {
+    fault = error;
+    return {};
+  }
+}
 
 // The load cases that a theorem may refer to. One without a load case is that of `limit --case`.
 std::vector<std::string> cases_for(const TrussTheorem& theorem,
@@ -92,7 +109,11 @@ std::optional<std::string> difference(const problems::CheckedStructure& structur
         name.empty() ? structure : problems::checked(problems::in_load_case(structure, name));
     const auto fingerprint = limit_fingerprint(of_case, fault);
     if (!fingerprint) continue;
-    if (theorem.residual && !problems::has_struts(structure)) return no_struts;
+    if (theorem.residual && !problems::has_struts(structure)) {
+      return "the claim is for residual strength, but no member of the problem file has "
+             "`residual`; "
+             "expected the file that was analysed";
+    }
     auto file = evidence::verified_structure(of_case);
     if (const auto why = verify::truss_difference(theorem, file)) {
       whys.push_back(name.empty() ? *why
@@ -204,17 +225,39 @@ std::string covering_text(const TrussTheorem& theorem) {
          all_of(theorem.nodes.size(), "node", "loads");
 }
 
+// Half-width of all uncertain loads, 0 if there are none; nothing if they differ.
 std::optional<double> half_width_of(const Theorems& theorems) {
-  std::vector<HalfWidths> all;
-  for (const auto& each : theorems) all.push_back(each.half_widths);
-  return half_width_of_all(all);
+  std::set<double> all;
+  for (const auto& each : theorems) {
+    if (each.half_widths.empty()) all.insert(0);
+    for (const auto& [name, half_width] : each.half_widths) all.insert(half_width);
+  }
+  return all.size() == 1 ? std::optional(*all.begin()) : std::nullopt;
+}
+
+// Line "uncertain loads: wind within +- 5, snow within +- 1, 2 unnamed within +- 30"
+std::string half_widths_text(const HalfWidths& all) {
+  if (all.empty()) return "uncertain loads: none\n";
+  std::map<std::tuple<bool, std::string, double>, std::size_t> loads;  // unnamed ones last
+  for (const auto& [name, half_width] : all) ++loads[{name.empty(), name, half_width}];
+  std::vector<std::string> parts;
+  for (const auto& [load, count] : loads) {
+    const auto& [unnamed, name, half_width] = load;
+    const auto what = unnamed      ? fmt::format("{} unnamed", count)
+                      : count == 1 ? support::in_quotes(name)
+                                   : fmt::format("{} ({} loads)", support::in_quotes(name), count);
+    parts.push_back(fmt::format("{} within +- {}", what, half_width));
+  }
+  return fmt::format("uncertain loads: {}\n", fmt::join(parts, ", "));
 }
 
 // The problem; names of the cases, and once for each case its half-widths, if those of all are not
 // one number; covers.
 std::string summary_of(const VerifyOptions& options, const Theorems& theorems,
                        const std::optional<problems::CheckedStructure>& structure) {
-  std::string text(truss_of_certificate);
+  std::string text =
+      "the truss is that of the certificate; with --problem FILE the claim is about a problem "
+      "file\n";
   if (structure) {
     text = fmt::format(
         "problem: {}, from {}, fingerprint {}\n"
@@ -361,10 +404,11 @@ VerifyFindings verify_truss(CommandRun& run, const VerifyOptions& options,
       return upper ? factors : answer::proved(factors);
     };
     summary += cases_at_residual_text(theorems, after_buckling);
-    summary +=
-        fmt::format("all struts at their strength, an upper value{} {}\nall struts at {}, {}\n",
-                    of_losses ? ";" : ":", claim(theorems, true),
-                    residual_strength(structure.has_value()), claim(after_buckling, false));
+    summary += fmt::format(
+        "all struts at their strength, an upper value{} {}\nall struts at {}, {}\n",
+        of_losses ? ";" : ":", claim(theorems, true),
+        structure ? "their residual strength" : "the residual strengths of the certificate",
+        claim(after_buckling, false));
   }
   if (of_losses) {
     auto loss = loss_of(theorems);
