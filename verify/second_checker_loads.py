@@ -27,8 +27,8 @@ def bracket(lower, upper):
 
 
 class Loads(NamedTuple):
-    """A load case: the dead and the reference load, and uncertain columns t_j = w_j d_j, densely, with their half-widths
-    and w_j: the size of a single component in direction d_j = +-e, otherwise 1."""
+    """A load case: the dead and the reference load, and uncertain columns t_j = w_j d_j, densely, with half-widths and
+    w_j: the size of a single component in direction d_j = +-e, otherwise 1."""
     name: str
     dead: list
     reference: list
@@ -152,7 +152,7 @@ class Truss(Certificate):
             self.squares.append(dot(along, along))
             self.B.append({self.free[n, axis]: sign * x for n, sign in ((a, -1), (b, 1)) for axis, x in enumerate(along)
                            if x and (n, axis) in self.free})
-        # For elongations a bound below the length, for forces one above it; both are exact where the length is a fraction.
+        # For elongations a bound below the length, for forces one above it; both are exact if the length is a fraction.
         roots = [Fraction(math.isqrt(x.numerator), math.isqrt(x.denominator)) for x in self.squares]
         self.above = [r if r * r == x else root_above(x) for r, x in zip(roots, self.squares)]
         self.below = [r if r * r == x else 1 / root_above(1 / x) for r, x in zip(roots, self.squares)]
@@ -180,7 +180,8 @@ class Truss(Certificate):
 
     def members(self, reader, words):
         found = [reader.whole(word, 0, len(self.B)) for word in words[1:]]
-        reader.check(words and reader.whole(words[0]) == len(found) and found == sorted(set(found)), "ascending members")
+        good = words and reader.whole(words[0]) == len(found) and found == sorted(set(found))
+        reader.check(good, "ascending members")
         return found
 
     def read_case(self, reader):
@@ -211,23 +212,24 @@ class Truss(Certificate):
     def read_theorem(self, reader):
         """The fields of a theorem, which is proved as it is read."""
         number, claim, at, most, sudden, *kept = reader.take("theorem", least=6)
-        number, before = reader.whole(number, 1, len(self.cases) + 1), self.theorems[-1:] or [(0, "", "", [], None, None)]
+        number, before = reader.whole(number, 1, len(self.cases) + 1), [(0, "", ""), *self.theorems][-1]
         reader.choice(claim, "largest", "least", "none"), reader.choice(at, "strength", "residual")
-        losses = most, sudden, kept = reader.whole(most, 0, len(self.B) + 1), reader.real(sudden), self.members(reader, kept)
+        most, sudden, kept = reader.whole(most, 0, len(self.B) + 1), reader.real(sudden), self.members(reader, kept)
         reader.check(sudden >= 1 and (most or (sudden, kept) == (1, [])), "a dynamic factor, of losses")
-        last, its_claim, its_strength, *_ = before[0]
+        last, its_claim, its_strength, *_ = before
         good = not most and (number, "largest", at) == (last, its_claim, its_strength) if claim == "least" else (
             (number, at) == (last + 1, "strength") or (number, at, its_strength) == (last, "residual", "strength"))
         reader.check(good, "the theorems of each load case: largest and least, or none; then at residual strength")
         # One sentence has the theorems on all load cases.
-        self.losses = self.losses or losses
-        reader.check(losses == self.losses, "the losses of the other theorems")
+        self.losses = self.losses or (most, sudden, kept)
+        reader.check((most, sudden, kept) == self.losses, "the losses of the other theorems")
         loads, strengths = self.cases[number - 1], [(t / sudden, c / sudden) for t, c in self.yields[at]]
         if claim == "least":
             loads = loads._replace(reference=[-x for x in loads.reference])
         lost = self.members(reader, reader.take("lost"))
         reader.check(len(lost) <= most and not set(lost) & set(kept), "a loss of so many members that are not kept")
-        upper, lower = self.upper(reader, [i for i in range(len(self.B)) if i not in lost], strengths, loads, claim), None
+        left, lower = [i for i in range(len(self.B)) if i not in lost], None
+        upper = self.upper(reader, left, strengths, loads, claim)
         if claim != "none":
             lower = self.of_states(reader, strengths, loads) if most else self.of_nodes(reader, strengths, loads, claim)
         return Theorem(number, claim, at, lost, lower, upper)
@@ -326,7 +328,8 @@ class Truss(Certificate):
                 needed[j] -= share
                 states.append(([share * x for x in directions[j]], share * k, {i: share * x for i, x in y.items()}))
             reader.check(min([0, *(nu for _, nu in decided.values()), *shares.values()]) >= 0, "multipliers >= 0")
-            least = INFINITE if max([0, *needed]) > 0 else -INFINITE  # shares of cuts below the half-width prove nothing
+            # Shares of cuts below the half-width prove nothing.
+            least = INFINITE if max([0, *needed]) > 0 else -INFINITE
             bounds.append(self.attempt(reader.at, self.carried, strengths, loads.reference, range(M), states, least))
         flaw = cover_flaw(nodes) if nodes or claim == "largest" else None
         if flaw:
@@ -335,7 +338,7 @@ class Truss(Certificate):
 
     def found(self, claim, at, end):
         """The bounds of the load cases; None: there is no such theorem, or it has no such bound."""
-        bounds = {theorem.case: theorem[4 + end] for theorem in self.theorems if (theorem.claim, theorem.at) == (claim, at)}
+        bounds = {each.case: each[4 + end] for each in self.theorems if (each.claim, each.at) == (claim, at)}
         return [bounds.get(case) for case in range(1, len(self.cases) + 1)]
 
     def of_loads(self):
@@ -366,7 +369,7 @@ class Truss(Certificate):
         return text
 
     def struts(self):
-        return self.yields["strength"] != self.yields["residual"] or any(each.at == "residual" for each in self.theorems)
+        return self.yields["strength"] != self.yields["residual"] or "residual" in [each.at for each in self.theorems]
 
     def of_losses(self):
         (most, sudden, kept), one, name = self.losses, len(self.cases) == 1, self.cases[0].name
