@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 
 #include "verify/wedged/certificate.hpp"
@@ -109,26 +110,20 @@ std::vector<Force> read_forces(Lines& lines, const Structure& truss, const std::
   return forces;
 }
 
-/// A load case: its name and its loads.
-struct Case {
-  std::string name;
-  std::vector<Force> dead, reference;
-  std::vector<std::vector<UncertainForce>> uncertain;
-  std::vector<std::optional<double>> half_widths;
-  std::vector<std::string> names;
-};
+/// A load case: its name, and the truss with its loads.
+using Case = std::pair<std::string, Structure>;
 
-Case read_case(Lines& lines, const Structure& truss) {
-  Case loads;
+Case read_case(Lines& lines, Structure truss) {
   begin(lines, "case", " and a name");
-  loads.name = lines.name();
-  loads.dead = read_forces(lines, truss, "dead");
-  loads.reference = read_forces(lines, truss, "reference");
+  const std::string name(lines.name());
+  truss.dead = read_forces(lines, truss, "dead");
+  truss.reference = read_forces(lines, truss, "reference");
+  truss.uncertain.emplace();
   const std::string what = "a half-width, and components, not zero, on free displacements";
   for (auto left = lines.count("uncertain"); left > 0; --left) {
     begin(lines, "column", ", " + what);
-    loads.half_widths.emplace_back(not_negative(lines, what));
-    auto& column = loads.uncertain.emplace_back(items(lines, 7, "components"));
+    truss.half_widths.emplace_back(not_negative(lines, what));
+    auto& column = truss.uncertain->emplace_back(items(lines, 7, "components"));
     for (auto& part : column) {
       part.node = lines.below(truss.coordinates.size(), what);
       part.axis = lines.below(truss.dimension, what);
@@ -136,9 +131,9 @@ Case read_case(Lines& lines, const Structure& truss) {
       if (part.weight == 0 || truss.fixed[part.node][part.axis]) lines.refuse(what);
     }
     if (column.empty()) lines.refuse(what);
-    loads.names.emplace_back(lines.name());
+    truss.load_names.emplace_back(lines.name());
   }
-  return loads;
+  return {name, std::move(truss)};
 }
 
 LimitCut read_cut(Lines& lines, const TrussTheorem& theorem) {
@@ -278,13 +273,21 @@ void read_lower(Lines& lines, TrussTheorem& theorem) {
   for (auto left = states; left > 0; --left) theorem.states.push_back(read_state(lines, theorem));
 }
 
+// A number of load cases or theorems, each of which has its own copy of the truss.
+std::size_t count_copies(Lines& lines, const std::string& keyword, const Structure& truss) {
+  const auto count = lines.count(keyword, 1);
+  if (count > maximum / (truss.bars.size() + truss.coordinates.size() + 1))
+    lines.refuse("fewer " + keyword + " for a truss of this size");
+  return count;
+}
+
 std::vector<Case> read_cases(Lines& lines, const Structure& truss) {
   std::vector<Case> cases;
-  for (auto left = lines.count("cases", 1); left > 0; --left) {
-    auto loads = read_case(lines, truss);
-    if (std::ranges::find(cases, loads.name, &Case::name) != cases.end())
+  for (auto left = count_copies(lines, "cases", truss); left > 0; --left) {
+    auto next = read_case(lines, truss);
+    if (std::ranges::find(cases, next.first, &Case::first) != cases.end())
       lines.refuse("load cases of different names");
-    cases.push_back(std::move(loads));
+    cases.push_back(std::move(next));
   }
   return cases;
 }
@@ -299,9 +302,7 @@ std::vector<TrussTheorem> read_truss_certificate(std::string_view text, const st
   auto lines = lines_after(truss_first_line, text, file);
   const auto truss = read_truss(lines);
   const auto cases = read_cases(lines, truss);
-  const auto count = lines.count("theorems", 1);
-  if (count > maximum / (truss.bars.size() + truss.coordinates.size() + 1))
-    lines.refuse("fewer theorems for a truss of this size");
+  const auto count = count_copies(lines, "theorems", truss);
   const std::string what =
       "'theorem' and its load case: for each at strength, 'none' or 'largest' and then 'least', "
       "and then at residual strength, with the same losses";
@@ -315,14 +316,7 @@ std::vector<TrussTheorem> read_truss_certificate(std::string_view text, const st
         !may_follow(theorem, number == last, theorems.empty() ? nullptr : &theorems.back()))
       lines.refuse(what);
     last = number;
-    const auto& loads = cases[number - 1];
-    theorem.load_case = loads.name;
-    theorem.truss = truss;
-    theorem.truss.dead = loads.dead;
-    theorem.truss.reference = loads.reference;
-    theorem.truss.uncertain = loads.uncertain;
-    theorem.truss.half_widths = loads.half_widths;
-    theorem.truss.load_names = loads.names;
+    std::tie(theorem.load_case, theorem.truss) = cases[number - 1];
     theorem.collapse = read_collapse(lines, theorem);
     if (theorem.claim != LimitClaim::none) read_lower(lines, theorem);
     theorems.push_back(std::move(theorem));
