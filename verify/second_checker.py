@@ -7,7 +7,7 @@ It was written from docs/certificates.md and docs/theory/proofs.md, with the sta
 exact fractions, so there are no error bounds: what is checked is an identity or an inequality of fractions. Roots are
 compared by their squares, or enclosed where a sum contains them. The claim is about the numbers in the certificate.
 That these are the stiffness and the loads of a structure is what `kusabi verify --problem FILE` adds. Certificates of
-limit loads and of losses are in second_checker_loads.py.
+trusses are in second_checker_loads.py.
 
 Letters: u displacements, r reactions of the candidates, each with a normal and d - 1 tangential components, u_n and
 u_t; K the stiffness; G the rigid-body modes; U the candidates in contact and R the separated ones of a node.
@@ -909,11 +909,11 @@ def main(path):
         reader = Reader(path)
         version, _, kind = reader.lines[0].rpartition(" ")
         reader.check(version == "kusabi certificate 5", "'kusabi certificate 5'")
-        if reader.choice(kind, "contact", "limit", "loss") == "contact":
+        if reader.choice(kind, "contact", "truss") == "contact":
             checked = Contact(reader)
         else:
             import second_checker_loads  # only for these certificates; it imports from this module
-            checked = {"limit": second_checker_loads.Limit, "loss": second_checker_loads.Loss}[kind](reader)
+            checked = second_checker_loads.Truss(reader)
         sentence, code = checked.conclusion()
         for line, why in sorted(checked.refusals):
             print(f"{path}:{line}: refused: {why}")

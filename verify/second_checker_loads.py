@@ -1,8 +1,8 @@
-"""Kusabi's certificates of limit loads and of losses: the part of second_checker.py for trusses.
+"""Kusabi's certificates of trusses: the part of second_checker.py for limit loads and losses of members.
 
-Letters: B has a column for each member, a dictionary of its values by displacement; q forces of members, with B q in
-equilibrium with the dead load + a factor times the reference load; u motions, x = B'u elongations. For a loss, q are
-force densities and x is multiplied by the lengths, so that B is rational.
+Forces q are force densities, multiplied by the lengths of members, so that B is rational: it has a column for each
+member, a dictionary of differences of coordinates by displacement. B q is in equilibrium with the dead load + a factor
+times the reference load. u are motions; B'u are elongations times lengths.
 """
 import math
 import re
@@ -27,11 +27,24 @@ def bracket(lower, upper):
 
 
 class Loads(NamedTuple):
-    """A load case: the dead and the reference load, and uncertain columns with their half-widths, densely."""
+    """A load case: the dead and the reference load, and uncertain columns t_j = w_j d_j, densely, with half-widths and
+    w_j: the size of a single component in direction d_j = +-e, otherwise 1."""
+    name: str
     dead: list
     reference: list
     columns: list
     widths: list
+    sizes: list
+
+
+class Theorem(NamedTuple):
+    """The fields of a theorem, and what is proved: bounds of the factor, or None. `least`: of the opposite factor."""
+    case: int
+    claim: str
+    at: str
+    lost: list
+    lower: Fraction | None
+    upper: Fraction | None
 
 
 def weighted(B, count, weights):
@@ -64,18 +77,6 @@ def spread(forces):
     """|q| of one member, summed over loads, rounded up where the fractions have many digits."""
     return sum(abs(x) if x.denominator.bit_length() < 2000 else Fraction(math.ceil(abs(x) * 2 ** 400), 2 ** 400)
                for x in forces)
-
-
-def slacks(forces, strengths):
-    """What forces of the first load, and of the others times any factors from -1 to 1, leave of the yield forces."""
-    return [min(t - x, c + x) - spread(rest) for (t, c), (x, *rest) in zip(strengths, zip(*forces))]
-
-
-def pairs(reader, words, below):
-    """Numbers and their values."""
-    found = {reader.whole(at, 0, below): reader.real(x) for at, x in zip(words[::2], words[1::2])}
-    reader.check(2 * len(found) == len(words), "pairs of different numbers and their values")
-    return found
 
 
 def elongations(B, u):
@@ -111,36 +112,133 @@ def without_small_strains(B, u):
 
 
 class Truss(Certificate):
-    """What certificates of limit loads and of losses have in common."""
+    """`kusabi certificate 5 truss`."""
 
     def __init__(self, reader):
         super().__init__()
-        self.cases, self.struts, self.strengths, self.B = [], False, [], []
         self.read_truss(reader)
-        while reader.peek() == "case":
-            name = " ".join(reader.take("case"))
-            reader.check(name not in [case["name"] for case in self.cases], "another name")
-            self.cases.append({"name": name, "widths": set()})
-            self.read_case(reader, self.cases[-1])
+        self.cases, self.theorems, self.losses = [], [], None
+        for _ in range(reader.one("cases", 1)):
+            self.cases.append(self.read_case(reader))
+            reader.check(self.cases[-1].name not in [case.name for case in self.cases[:-1]], "another name")
+        for _ in range(reader.one("theorems", 1)):
+            self.theorems.append(self.read_theorem(reader))
+        reader.check(self.theorems[-1].case == len(self.cases), "theorems on all load cases")
         reader.take("end", count=0)
-        reader.check(self.cases, "a load case")
         reader.end()
 
     def conclusion(self):
         """The sentence and the exit code."""
-        return ("NOT PROVED", 1) if self.refusals else (self.sentence(), 0)
+        return ("NOT PROVED", 1) if self.refusals else ((self.of_losses if self.losses[0] else self.of_loads)(), 0)
 
-    def residual(self, reader, words):
-        """The yield forces with the strengths of struts after buckling."""
-        self.struts, after = True, reader.reals(words, len(self.B))
-        reader.check(all(0 <= x <= c for x, (_, c) in zip(after, self.strengths)), "no more than the strengths")
-        return [(t, x) for (t, _), x in zip(self.strengths, after)]
+    def read_truss(self, reader):
+        self.d, place, self.free, self.names = reader.one("dimension", 2, 4), [], {}, []
+        self.squares, self.yields, self.B = [], {"strength": [], "residual": []}, []
+        for n in range(reader.one("nodes", 1)):
+            words = reader.take("node", count=2 * self.d)
+            place.append(reader.reals(words[::2]))
+            for axis, word in enumerate(words[1::2]):
+                if reader.choice(word, "fixed", "free") == "free":
+                    self.free[n, axis] = len(self.free)
+        self.nodes = len(place)
+        for _ in range(reader.one("members", 1)):
+            words = reader.take("member", count=5)
+            a, b = (reader.whole(word, 0, len(place)) for word in words[:2])
+            along, (t, c, r) = [y - x for x, y in zip(place[a], place[b])], reader.reals(words[2:])
+            reader.check(any(along) and min(t, r) >= 0 and r <= c, "a length, and yield forces, none above the others")
+            self.names.append(f"{a}-{b}")
+            self.yields["strength"].append((t, c))
+            self.yields["residual"].append((t, r))
+            self.squares.append(dot(along, along))
+            self.B.append({self.free[n, axis]: sign * x for n, sign in ((a, -1), (b, 1)) for axis, x in enumerate(along)
+                           if x and (n, axis) in self.free})
+        # For elongations a bound below the length, for forces one above it; both are exact if the length is a fraction.
+        roots = [Fraction(math.isqrt(x.numerator), math.isqrt(x.denominator)) for x in self.squares]
+        self.above = [r if r * r == x else root_above(x) for r, x in zip(roots, self.squares)]
+        self.below = [r if r * r == x else 1 / root_above(1 / x) for r, x in zip(roots, self.squares)]
 
-    def upper(self, reader, members, strengths, loads, fatal, lengths=None):
-        """Reads a load and a motion. Its factor is an upper bound: proofs.md, "The upper bound". Fatal: the motion
-        shows that the load is carried at no factor. Elongations are divided by the lengths."""
-        load = reader.reals(reader.take("load"), len(loads.columns))
-        motion, B = reader.reals(reader.take("motion"), len(loads.dead)), [self.B[i] for i in members]
+    def density(self, i, q):
+        """A force density near that of a force, not larger, with few digits."""
+        x = q / self.above[i]
+        if not x or self.above[i] ** 2 == self.squares[i]:
+            return x
+        grain = power_near(abs(x)) / 2 ** 64
+        return int(x / grain) * grain
+
+    def densities(self, reader, words):
+        """Force densities by member: a count, members and their forces."""
+        forces, rest = reader.groups([*words, ""], 2)
+        reader.check(rest == [""], "the end of the line")
+        return {i: self.density(i, x) for i, x in self.pairs(reader, forces, len(self.B)).items()}
+
+    @staticmethod
+    def pairs(reader, words, below):
+        """Numbers and their values."""
+        found = {reader.whole(at, 0, below): reader.real(x) for at, x in zip(words[::2], words[1::2])}
+        reader.check(2 * len(found) == len(words), "pairs of different numbers and their values")
+        return found
+
+    def members(self, reader, words):
+        found = [reader.whole(word, 0, len(self.B)) for word in words[1:]]
+        good = words and reader.whole(words[0]) == len(found) and found == sorted(set(found))
+        reader.check(good, "ascending members")
+        return found
+
+    def read_case(self, reader):
+        name, loads = " ".join(reader.take("case")), []
+        for key in ("dead", "reference"):
+            loads.append([Fraction(0)] * len(self.free))
+            for _ in range(reader.one(key)):
+                node, *words = reader.take("force", count=1 + self.d)
+                for axis, x in enumerate(reader.reals(words)):
+                    at = reader.whole(node, 0, self.nodes), axis
+                    if at in self.free:  # what acts on supports is theirs
+                        loads[-1][self.free[at]] += x
+        case = Loads(name, *loads, [], [], [])
+        for _ in range(reader.one("uncertain")):
+            width, *words = reader.take("column", least=2)
+            parts, _ = reader.groups([*words, ""], 3)
+            case.widths.append(reader.real(width))
+            case.sizes.append(abs(reader.real(parts[2])) if len(parts) == 3 else Fraction(1))
+            case.columns.append([Fraction(0)] * len(self.free))
+            for node, axis, word in zip(parts[::3], parts[1::3], parts[2::3]):
+                at, x = (reader.whole(node, 0, self.nodes), reader.whole(axis, 0, self.d)), reader.real(word)
+                reader.check(x and at in self.free, "a component, not zero, on a free displacement")
+                case.columns[-1][self.free[at]] += x
+            reader.check(parts and case.widths[-1] >= 0, "components, and a half-width >= 0")
+        reader.check(any(case.reference), "a reference load")
+        return case
+
+    def read_theorem(self, reader):
+        """The fields of a theorem, which is proved as it is read."""
+        number, claim, at, most, sudden, *kept = reader.take("theorem", least=6)
+        number, before = reader.whole(number, 1, len(self.cases) + 1), [(0, "", ""), *self.theorems][-1]
+        reader.choice(claim, "largest", "least", "none"), reader.choice(at, "strength", "residual")
+        most, sudden, kept = reader.whole(most, 0, len(self.B) + 1), reader.real(sudden), self.members(reader, kept)
+        reader.check(sudden >= 1 and (most or (sudden, kept) == (1, [])), "a dynamic factor, of losses")
+        last, its_claim, its_strength, *_ = before
+        good = not most and (number, "largest", at) == (last, its_claim, its_strength) if claim == "least" else (
+            (number, at) == (last + 1, "strength") or (number, at, its_strength) == (last, "residual", "strength"))
+        reader.check(good, "the theorems of each load case: largest and least, or none; then at residual strength")
+        # One sentence has the theorems on all load cases.
+        self.losses = self.losses or (most, sudden, kept)
+        reader.check((most, sudden, kept) == self.losses, "the losses of the other theorems")
+        loads, strengths = self.cases[number - 1], [(t / sudden, c / sudden) for t, c in self.yields[at]]
+        if claim == "least":
+            loads = loads._replace(reference=[-x for x in loads.reference])
+        lost = self.members(reader, reader.take("lost"))
+        reader.check(len(lost) <= most and not set(lost) & set(kept), "a loss of so many members that are not kept")
+        left, lower = [i for i in range(len(self.B)) if i not in lost], None
+        upper = self.upper(reader, left, strengths, loads, claim)
+        if claim != "none":
+            lower = self.of_states(reader, strengths, loads) if most else self.of_nodes(reader, strengths, loads, claim)
+        return Theorem(number, claim, at, lost, lower, upper)
+
+    def upper(self, reader, members, strengths, loads, claim):
+        """Reads a load and a motion. Its factor is an upper bound: proofs.md, "The upper bound". `none`: the motion
+        shows that the load is carried at no factor."""
+        load, none = reader.reals(reader.take("load"), len(loads.columns)), claim == "none"
+        motion, B = reader.reals(reader.take("motion"), len(self.free)), [self.B[i] for i in members]
 
         def prove():
             if any(abs(x) > width for x, width in zip(load, loads.widths)):
@@ -148,130 +246,117 @@ class Truss(Certificate):
             total, reference, best = loads.dead, loads.reference, []
             for x, t in zip(load, loads.columns):
                 total = plus(total, x, t)
-            opposite = [[-x for x in motion]] * fatal
+            opposite = [[-x for x in motion]] * none
             for u in (each for start in (motion, *opposite) for each in (start, without_small_strains(B, start))):
-                if fatal:
+                if none:
                     at = max(range(len(u)), key=lambda e: abs(reference[e]))
                     u[at] -= dot(reference, u) / reference[at]
-                spent = sum(abs(x) * strengths[i][0 if x > 0 else 1] / (lengths[i] if lengths else 1)
+                spent = sum(abs(x) * strengths[i][0 if x > 0 else 1] / self.below[i]
                             for i, x in zip(members, elongations(B, u)))
                 work, excess = dot(reference, u), spent - dot(total, u)
-                if fatal and excess < 0 and work == 0:
+                if none and excess < 0 and work == 0:
                     best.append(-INFINITE)
-                elif not fatal and work > 0:
+                elif not none and work > 0:
                     best.append(excess / work)
-            if not best or (not fatal and min(best) > sys.float_info.max):
+            if not best or (not none and min(best) > sys.float_info.max):
                 raise Refused("the motion proves no upper bound in the range of doubles")
             return min(best)
         return self.attempt(reader.at, prove)
 
+    def carried(self, strengths, reference, support, states, least):
+        """The factor at which members of the support alone carry the first load with any share from -1 to 1 of each of
+        the others: proofs.md, "The lower bound" and "States after a loss". States are a load, a factor and densities;
+        densities near them are in exact equilibrium within the yield forces."""
+        forces = [[densities.get(i, Fraction(0)) for i in support] + [factor] for _, factor, densities in states]
+        defects = [less_forces(self.B, densities, plus(load, factor, reference)) for load, factor, densities in states]
+        slack = [max(0, min(strengths[i][0] / self.above[i] - x, strengths[i][1] / self.above[i] + x) - spread(rest))
+                 for i, (x, *rest) in zip(support, zip(*forces))]
+        B, load = [self.B[i] for i in support], {e: -x for e, x in enumerate(reference) if x}
+        # At last the factors change as well: on a mechanism the loads may balance at one factor only.
+        for members, weights in ((B, slack), (B, [1] * len(B)), ([*B, load], [*slack, Fraction(1, NOISE)])):
+            found = exact_forces(members, forces, defects, weights) or []
+            factors = [[*q, factor][len(B)] for q, (_, factor, _) in zip(found, states)]
+            bound = factors[0] - spread(factors[1:]) if found else -INFINITE
+            if found and bound >= least and all(
+                    x <= 0 or x * x * self.squares[i] <= strength ** 2
+                    for i, (first, *others) in zip(support, zip(*found))
+                    for x, strength in zip((spread(others) + first, spread(others) - first), strengths[i])):
+                return bound
+        raise Refused("in exact equilibrium the state has a lower factor, or forces beyond the yield forces")
 
-class Limit(Truss):
-    """`kusabi certificate 5 limit`."""
+    def of_states(self, reader, strengths, loads):
+        """Reads states, which together are left after all losses. Their lower bound; None: there is none."""
+        (most, _, kept), (count, *lower), supports, start = self.losses, reader.take("states", least=1), [], reader.at
+        count, lower = reader.whole(count), reader.reals(lower)
+        reader.check(len(lower) == (count > 0), "a lower bound of states")
+        for _ in range(count):
+            support, line, states = self.members(reader, reader.take("state")), reader.at, []
+            for load in [loads.dead] + [[width * x for x in t] for width, t in zip(loads.widths, loads.columns)]:
+                factor, *words = reader.take("forces", least=2)
+                states.append((load, reader.real(factor), self.densities(reader, words)))
+                reader.check(set(states[-1][2]) <= set(support), "forces of the support")
+            if self.attempt(line, self.carried, strengths, loads.reference, support, states, *lower) is not None:
+                supports.append(set(support))
+        flaw = uncovered_loss(supports, set(kept), most) if count else None
+        if flaw is not None:
+            self.refusals.append((start, "no state remains after the loss of " + " ".join(self.names[i] for i in flaw)))
+        return lower[0] if lower else None
 
-    def read_truss(self, reader):
-        self.count = reader.one("displacements", 1)
-        for _ in range(reader.one("members", 1)):
-            words = reader.take("member", least=3)
-            self.strengths.append(reader.reals(words[:2], 2))
-            reader.check(min(self.strengths[-1]) >= 0, "yield forces >= 0")
-            entries, rest = reader.groups([*words[2:], ""], 2)
-            reader.check(rest == [""], "the end of the line")
-            self.B.append(pairs(reader, entries, self.count))
-
-    def read_case(self, reader, case):
-        dead, reference = (reader.reals(reader.take(key), self.count) for key in ("dead", "reference"))
-        reader.check(any(reference), "a reference load")
-        columns = [pairs(reader, reader.take("column"), self.count) for _ in range(reader.one("uncertain"))]
-        reader.check(all(x for t in columns for x in t.values()), "columns without zeros")
-        columns = [[t.get(e, Fraction(0)) for e in range(self.count)] for t in columns]
-        for _ in range(reader.one("names")):
-            reader.take("name")
-        alpha = reader.reals(reader.take("alpha", least=1))
-        alpha *= len(columns) if len(alpha) == 1 and columns else 1
-        reader.check(len(alpha) == max(len(columns), 1) and min(alpha) >= 0, "a half-width, or one for each column")
-        case.update(widths=set(alpha), strength={}, residual={})
-        strengths, at = self.strengths, "strength"
-        while reader.peek() in ("claim", "residual"):
-            key, words = reader.take("claim", "residual")
-            if key == "residual":
-                reader.check(at == "strength", "one line 'residual'")
-                strengths, at = self.residual(reader, words), "residual"
-                continue
-            claim = reader.choice(" ".join(words), "largest", "least", "none")
-            reader.check(claim not in case[at], "each claim once")
-            loads = Loads(dead, [-x if claim == "least" else x for x in reference], columns, alpha)
-            upper, before = self.upper(reader, range(len(self.B)), strengths, loads, claim == "none"), len(self.refusals)
-            lower = self.lower(reader, strengths, loads, claim != "largest")
-            if claim == "none":  # its cuts and nodes, if it has any, claim nothing
-                lower, self.refusals[before:] = None, []
-            case[at][claim] = lower, upper
-
-    def lower(self, reader, strengths, loads, may_be_open):
+    def of_nodes(self, reader, strengths, loads, claim):
         """Reads cuts and nodes. The least of the nodes' bounds; None: there are no nodes, which may be, or they prove
         none. The letters are those of proofs.md, "The lower bound"; needed are the alpha_j w_j, less shares of cuts."""
-        # d_j and w_j: a single component is a size w_j in direction d_j = +-e.
-        sizes = [abs(sum(t)) if sum(map(bool, t)) == 1 else Fraction(1) for t in loads.columns]
-        directions = [[x / w for x in t] for t, w in zip(loads.columns, sizes)]
-        half = [a * w for a, w in zip(loads.widths, sizes)]
+        directions = [[x / w for x in t] for t, w in zip(loads.columns, loads.sizes)]
+        half = [a * w for a, w in zip(loads.widths, loads.sizes)]
         cuts, nodes, bounds, M = [], [], [], len(self.B)
         for _ in range(reader.one("cuts")):
-            j, k, count, *words = reader.take("cut", least=3)
-            j, k, y = reader.whole(j, 0, len(half)), reader.real(k), pairs(reader, words, M)
-            reader.check(reader.whole(count) == len(y), "the number of forces")
-            cuts.append((j, k, y, less_forces(self.B, y, plus(directions[j], k, loads.reference))))
+            j, k, *words = reader.take("cut", least=3)
+            cuts.append((reader.whole(j, 0, len(half)), reader.real(k), self.densities(reader, words)))
         for _ in range(reader.one("nodes")):
             signs, words = reader.groups(reader.take("node"), 3)
             parts, words = reader.groups(words, 2)
-            shares, (factor, *q) = pairs(reader, parts, len(cuts)), reader.reals(words, 1 + M)
+            shares, (factor, *q) = self.pairs(reader, parts, len(cuts)), reader.reals(words, 1 + M)
             decided = {reader.whole(j, 0, len(half)): (1 if reader.choice(s, "+", "-") == "+" else -1, reader.real(nu))
                        for j, s, nu in zip(signs[::3], signs[1::3], signs[2::3])}
             reader.check(len(decided) * 3 == len(signs), "each sign once")
             nodes.append(tuple(sum(1 << j for j, (s, _) in decided.items() if s == sign) for sign in (1, -1)))
-            defect = less_forces(self.B, dict(enumerate(q)), plus(loads.dead, factor, loads.reference))
+            load, needed = loads.dead, [0 if j in decided else each for j, each in enumerate(half)]
             for j, (sign, nu) in decided.items():
-                defect = plus(defect, sign * (half[j] + nu), directions[j])
-            needed = [0 if j in decided else each for j, each in enumerate(half)]
+                load = plus(load, sign * (half[j] + nu), directions[j])
+            states = [(load, factor, {i: self.density(i, x) for i, x in enumerate(q)})]
             for c, share in shares.items():
-                needed[cuts[c][0]] -= share
-            good = all(x >= 0 for x in [*(nu for _, nu in decided.values()), *shares.values(), *(-x for x in needed)])
-            used = [(share, *cuts[c][1:]) for c, share in shares.items()]
-            bounds.append(self.attempt(reader.at, self.node_bound, good, strengths, used, factor, q, defect))
-        flaw = cover_flaw(nodes) if nodes or not may_be_open else None
+                j, k, y = cuts[c]
+                needed[j] -= share
+                states.append(([share * x for x in directions[j]], share * k, {i: share * x for i, x in y.items()}))
+            reader.check(min([0, *(nu for _, nu in decided.values()), *shares.values()]) >= 0, "multipliers >= 0")
+            # Shares of cuts below the half-width prove nothing.
+            least = INFINITE if max([0, *needed]) > 0 else -INFINITE
+            bounds.append(self.attempt(reader.at, self.carried, strengths, loads.reference, range(M), states, least))
+        flaw = cover_flaw(nodes) if nodes or claim == "largest" else None
         if flaw:
             self.refusals.append((reader.at, re.sub("sign pattern(s?)", r"combination\1 of signs", flaw)))
         return min(bounds) if bounds and not flaw and None not in bounds else None
 
-    def node_bound(self, good, strengths, cuts, factor, q, defect):
-        """A lower bound for all loads with the decided signs: the forces of the node, and those of the cuts times their
-        shares, are brought into exact equilibrium, and must then leave slack in all members."""
-        if not good:
-            raise Refused("a negative multiplier, or shares of cuts below the half-width of their column")
-        forces = [q] + [[share * y.get(i, 0) for i in range(len(q))] for share, _, y, _ in cuts]
-        defects = [defect] + [[share * x for x in rest] for share, _, _, rest in cuts]
-        found = exact_forces(self.B, forces, defects, slacks(forces, strengths))
-        if found is None or min(slacks(found, strengths)) < 0:
-            raise Refused("in exact equilibrium the forces exceed the yield forces")
-        return factor - sum(share * abs(k) for share, k, _, _ in cuts)
+    def found(self, claim, at, end):
+        """The bounds of the load cases; None: there is no such theorem, or it has no such bound."""
+        bounds = {each.case: each[4 + end] for each in self.theorems if (each.claim, each.at) == (claim, at)}
+        return [bounds.get(case) for case in range(1, len(self.cases) + 1)]
 
-    def sentence(self):
-        widths = set().union(*(case["widths"] for case in self.cases))
+    def of_loads(self):
+        widths, struts = set().union(*(case.widths or [0] for case in self.cases)), self.struts()
         loads = f"alpha = {shortest(*widths)}" if len(widths) == 1 else "uncertain loads within these half-widths"
         loads += f" in these {len(self.cases)} load cases" if len(self.cases) > 1 else ""
-        if any("none" in case["strength"] for case in self.cases):
+        if any((theorem.claim, theorem.at) == ("none", "strength") for theorem in self.theorems):
             return f"PROVED: for {loads} some admissible load is carried at no load factor"
 
         def least_of(claim, at, end):
-            found = [case[at].get(claim, (None, None))[end] for case in self.cases]
-            return None if None in found else min(found)
-        carried, upper = "residual" if self.struts else "strength", least_of("largest", "strength", 1)
+            bounds = self.found(claim, at, end)
+            return None if None in bounds else min(bounds)
+        carried, upper = "residual" if struts else "strength", least_of("largest", "strength", 1)
         lower, least = least_of("largest", carried, 0), least_of("least", carried, 0)
-        below = max((-case["strength"]["least"][1] for case in self.cases if "least" in case["strength"]), default=None)
-        if upper is None:
-            return f"PROVED: for {loads} nothing is claimed"
+        below = max((-x for x in self.found("least", "strength", 1) if x is not None), default=None)
         text = f"PROVED: the worst-case load factor for {loads} is "
         text += f"at most {rounded(upper, 1)}" if lower is None else "between {} and {}".format(*bracket(lower, upper))
-        if self.struts:
+        if struts:
             text += (", an upper value: no lower bound at residual strength is proved" if lower is None else
                      ", while no strut falls below its residual strength")
         if below is not None and below > upper:
@@ -283,141 +368,36 @@ class Limit(Truss):
             text += f", and some admissible load is carried at no factor below {rounded(below, -1)}"
         return text
 
+    def struts(self):
+        return self.yields["strength"] != self.yields["residual"] or "residual" in [each.at for each in self.theorems]
 
-class Loss(Truss):
-    """`kusabi certificate 5 loss`."""
-
-    def read_truss(self, reader):
-        self.d, place, self.free, self.names = reader.one("dimension", 2, 4), [], {}, []
-        self.squares, self.losses = [], []
-        for n in range(reader.one("nodes", 1)):
-            words = reader.take("node", count=2 * self.d)
-            place.append(reader.reals(words[::2]))
-            for axis, word in enumerate(words[1::2]):
-                if reader.choice(word, "fixed", "free") == "free":
-                    self.free[n, axis] = len(self.free)
-        self.nodes = len(place)
-        for _ in range(reader.one("members", 1)):
-            words = reader.take("member", count=4)
-            a, b = (reader.whole(word, 0, len(place)) for word in words[:2])
-            along = [y - x for x, y in zip(place[a], place[b])]
-            self.names.append(f"{a}-{b}")
-            self.strengths.append(reader.reals(words[2:]))
-            self.squares.append(dot(along, along))
-            reader.check(any(along) and min(self.strengths[-1]) >= 0, "a length, and yield forces >= 0")
-            self.B.append({self.free[n, axis]: sign * x for n, sign in ((a, -1), (b, 1)) for axis, x in enumerate(along)
-                           if x and (n, axis) in self.free})
-        # For elongations a bound below the length, for forces one above it.
-        self.above, self.below = [root_above(x) for x in self.squares], [1 / root_above(1 / x) for x in self.squares]
-
-    def set(self, reader, words):
-        found = [reader.whole(word, 0, len(self.B)) for word in words[1:]]
-        reader.check(words and reader.whole(words[0]) == len(found) == len(set(found)), "a count and different members")
-        return found
-
-    def add(self, reader, load, node, axis, word):
-        """Adds a component to a load; what acts on supports is theirs."""
-        at, x = (reader.whole(node, 0, self.nodes), axis), reader.real(word)
-        if at in self.free:
-            load[self.free[at]] += x
-
-    def read_case(self, reader, case):
-        loads = Loads(*([Fraction(0)] * len(self.free) for _ in range(2)), [], [])
-        for key, load in (("dead", loads.dead), ("reference", loads.reference)):
-            for _ in range(reader.one(key)):
-                node, *words = reader.take("force", count=1 + self.d)
-                for axis, word in enumerate(words):
-                    self.add(reader, load, node, axis, word)
-        for _ in range(reader.one("uncertain")):
-            width, *words = reader.take("column", least=2)
-            loads.widths.append(reader.real(width))
-            components, _ = reader.groups([*words, ""], 3)
-            loads.columns.append([Fraction(0)] * len(self.free))
-            for node, axis, word in zip(components[::3], components[1::3], components[2::3]):
-                self.add(reader, loads.columns[-1], node, reader.whole(axis, 0, self.d), word)
-        reader.check(any(loads.reference) and min(loads.widths, default=0) >= 0, "a reference load, half-widths >= 0")
-        case["widths"], case["strength"] = set(loads.widths), self.claim(reader, self.strengths, loads)
-        if reader.peek() == "residual":
-            case["residual"] = self.claim(reader, self.residual(reader, reader.take("residual")), loads)
-
-    def claim(self, reader, strengths, loads):
-        """The numbers of a claim, which are proved as they are read."""
-        most, sudden = reader.take("lose", count=2)
-        most, sudden = reader.whole(most, 1), reader.real(sudden)
-        reader.check(sudden >= 1, "a dynamic factor of 1 or more")
-        kept, words = self.set(reader, reader.take("kept")), reader.take("lost")
-        fatal = words[-1:] == ["fatal"]
-        lost = self.set(reader, words[:len(words) - fatal])
-        reader.check(len(lost) <= most and not set(lost) & set(kept), "a loss of so many members that are not kept")
-        # One sentence has the claims of all load cases.
-        self.losses.append((most, sudden, set(kept)))
-        if self.losses[-1] != self.losses[0]:
-            self.refusals.append((reader.at, "other losses, dynamic factor or kept members than in the first claim"))
-        left = [i for i in range(len(self.B)) if i not in lost]
-        upper = self.upper(reader, left, strengths, loads, fatal, self.below)
-        lower, supports, start = (reader.reals(reader.take("lower")) or [None])[0], [], reader.at
-        for _ in range(reader.one("states", 0, 10 ** 9 if lower is not None else 1)):
-            support, line, states = self.set(reader, reader.take("state")), reader.at, []
-            for load in [loads.dead] + [[width * x for x in t] for width, t in zip(loads.widths, loads.columns)]:
-                factor, count, *words = reader.take("forces", least=2)
-                q = pairs(reader, words, len(self.B))
-                reader.check(reader.whole(count) == len(q) and set(q) <= set(support), "forces of the support")
-                states.append((load, reader.real(factor), {i: x / self.above[i] for i, x in q.items()}))
-            if self.attempt(line, self.carries, strengths, loads.reference, support, states, lower):
-                supports.append(set(support))
-        flaw = uncovered_loss(supports, set(kept), most) if lower is not None else None
-        if flaw is not None:
-            names = " ".join(self.names[i] for i in flaw)
-            self.refusals.append((start, f"no state remains after the loss of {names}"))
-        return {"most": most, "sudden": sudden, "kept": kept, "lost": lost, "fatal": fatal, "lower": lower,
-                "upper": upper}
-
-    def carries(self, strengths, reference, support, states, lower):
-        """Whether members of the support alone can carry all loads at the factor `lower`: proofs.md, "States after a
-        loss". States are a load, a factor and densities, for the dead load and for each uncertain one; densities near
-        them are in exact equilibrium within the yield forces."""
-        forces = [[densities.get(i, Fraction(0)) for i in support] + [factor] for _, factor, densities in states]
-        defects = [less_forces(self.B, densities, plus(load, factor, reference)) for load, factor, densities in states]
-        slack = [max(0, x) for x in slacks(forces, [[x / self.above[i] for x in strengths[i]] for i in support])]
-        B, load = [self.B[i] for i in support], {e: -x for e, x in enumerate(reference) if x}
-        # At last the factors change as well: on a mechanism the loads may balance at one factor only.
-        for members, weights in ((B, slack), (B, [1] * len(B)), ([*B, load], [*slack, Fraction(1, NOISE)])):
-            found = exact_forces(members, forces, defects, weights) or []
-            factors = [[*q, factor][len(B)] for q, (_, factor, _) in zip(found, states)]
-            if found and factors[0] - spread(factors[1:]) >= lower and all(
-                    x <= 0 or x * x * self.squares[i] <= strength ** 2
-                    for i, (first, *others) in zip(support, zip(*found))
-                    for x, strength in zip((spread(others) + first, spread(others) - first), strengths[i])):
-                return True
-        raise Refused("in exact equilibrium the state has a lower factor, or forces beyond the yield forces")
-
-    def sentence(self):
-        one, name = len(self.cases) == 1, self.cases[0]["name"]
-        worst = min((case["strength"] for case in self.cases), key=lambda claim: claim["upper"])
-        of_cases = [case["widths"] for case in self.cases]
-        widths = set().union(*(each or {Fraction(0)} for each in of_cases)) if any(of_cases) else set()
+    def of_losses(self):
+        (most, sudden, kept), one, name = self.losses, len(self.cases) == 1, self.cases[0].name
+        worst = min((each for each in self.theorems if each.at == "strength"), key=lambda each: each.upper)
+        uncertain = any(case.columns for case in self.cases)
+        widths = set().union(*(case.widths or [Fraction(0)] for case in self.cases))
         alpha = f"(alpha = {shortest(*widths)})" if len(widths) == 1 else "(uncertain loads within these half-widths)"
         proved = f"PROVED: in load case {in_quotes(name)}, " if one and name else "PROVED: "
-        sudden, lost = worst["sudden"], [self.names[i] for i in worst["lost"]]
 
         def after(members):
             return (f"after the loss of {members}" if sudden == 1 else
                     f"after the sudden loss of {members} with dynamic factor {shortest(sudden)}")
+        lost = [self.names[i] for i in worst.lost]
         lost = after(" and ".join(lost)) if lost else "without any loss" if sudden == 1 else after("any member")
-        if worst["fatal"]:
-            load = f"some admissible dead load {alpha}" if widths else "the dead load"
+        if worst.claim == "none":
+            load = f"some admissible dead load {alpha}" if uncertain else "the dead load"
             return f"{proved}{lost} {load} is carried at no load factor"
-        lowers = [case.get("residual" if self.struts else "strength", {"lower": None})["lower"] for case in self.cases]
+        lowers = self.found("largest", "residual" if self.struts() else "strength", 0)
         if None in lowers:
-            some = f" and under some admissible load {alpha}" if widths else ""
-            return f"{proved}{lost}{some} the load factor is at most {rounded(worst['upper'], 1)}"
-        kept, (low, high) = [self.names[i] for i in worst["kept"]], bracket(min(lowers), worst["upper"])
-        members = "any member" if worst["most"] == 1 else f"any {worst['most']} members"
+            some = f" and under some admissible load {alpha}" if uncertain else ""
+            return f"{proved}{lost}{some} the load factor is at most {rounded(worst.upper, 1)}"
+        kept, (low, high) = [self.names[i] for i in kept], bracket(min(lowers), worst.upper)
+        members = "any member" if most == 1 else f"any {most} members"
         more = f" and {len(kept) - 8} more" if len(kept) > 8 else ""
         members += f" except {' '.join(kept[:8])}{more} (kept)" if kept else ""
-        text = proved + after(members) + (f" and under every admissible load {alpha}" if widths else "")
+        text = proved + after(members) + (f" and under every admissible load {alpha}" if uncertain else "")
         text += "" if one else f" in each of {len(self.cases)} load cases"
-        text += ", while no strut falls below its residual strength," if self.struts else ""
+        text += ", while no strut falls below its residual strength," if self.struts() else ""
         return f"{text} the load factor is at least {low}; {lost} it is at most {high}"
 
 

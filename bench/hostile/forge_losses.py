@@ -9,7 +9,6 @@ doubles disagree. Prints each false sentence, each honest certificate that is re
 both that differ are counted. Exit code 0: none.
 """
 import copy
-import hashlib
 import itertools
 import json
 import math
@@ -19,148 +18,19 @@ import re
 import subprocess
 import tempfile
 from collections import Counter
-from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache
 
 import forging
 import trusses
 import verdicts
+from truss_certificates import Certificate
 
 #: Forgeries of each problem, most members, and most corners of the load boxes of a problem.
 EACH, MOST, CORNERS = 40, 9, 16
 #: Relative room of factors, whose decimals are rounded.
 NEAR = 1e-9
 FILE_ONLY = "with --problem"
-
-
-@dataclass
-class Claim:
-    """What is claimed of one load case at one strength, and its evidence."""
-    most: int
-    sudden: float
-    kept: list
-    lost: list
-    fatal: bool
-    load: list
-    motion: list
-    lower: float | None
-    states: list = field(default_factory=list)  # [support, [[factor, {member: force}] of each load]]
-    residual: list | None = None  # compression strengths of all members after buckling
-
-
-@dataclass
-class Case:
-    name: str
-    dead: list  # [node, force]
-    reference: list
-    columns: list  # [half-width, [[node, axis, size]], name]
-    claims: list
-
-
-def number_of(word):
-    return float.fromhex(word) if "x" in word else int(word)
-
-
-def words_of(*parts):
-    return " ".join(part.hex() if isinstance(part, float) else str(part) for part in parts)
-
-
-class Certificate:
-    def __init__(self, text):
-        self.lines = iter(text.splitlines()[1:])
-        self.dimension = self.take()[0]
-        self.nodes = [[self.take()] for _ in range(self.take()[0])]
-        self.nodes = [[list(zip(words[::2], words[1::2])) for words in node][0] for node in self.nodes]
-        self.members = [self.take() for _ in range(self.take()[0])]
-        self.cases, key = [], self.next()
-        while key == "case":
-            self.cases.append(Case(" ".join(map(str, self.words)), *([self.forces() for _ in range(2)]), self.columns(), []))
-            self.cases[-1].claims.append(self.claim(None))
-            key = self.next()
-            if key == "residual":
-                self.cases[-1].claims.append(self.claim(self.words))
-                key = self.next()
-        del self.lines, self.words
-
-    def next(self):
-        key, *words = next(self.lines).split(" ")
-        self.words = [number_of(word) if re.fullmatch(r"-?(0x[0-9a-f.]+p[-+]?\d+|\d+)", word) else word for word in words if word]
-        return key
-
-    def take(self):
-        self.next()
-        return self.words
-
-    def forces(self):
-        return [[node, force] for node, *force in (self.take() for _ in range(self.take()[0]))]
-
-    def columns(self):
-        found = []
-        for _ in range(self.take()[0]):
-            width, count, *words = self.take()
-            parts, name = words[:3 * count], " ".join(map(str, words[3 * count:]))
-            found.append([width, [list(part) for part in zip(parts[::3], parts[1::3], parts[2::3])], name])
-        return found
-
-    def claim(self, residual):
-        (most, sudden), (_, *kept), (_, *lost) = self.take(), self.take(), self.take()
-        fatal = lost[-1:] == ["fatal"]
-        claim = Claim(most, sudden, kept, lost[:len(lost) - fatal], fatal, self.take(), self.take(), (self.take() or [None])[0], residual=residual)
-        for _ in range(self.take()[0]):
-            claim.states.append([self.take()[1:], []])
-            for _ in range(1 + len(self.cases[-1].columns if self.cases else ())):
-                factor, _, *words = self.take()
-                claim.states[-1][1].append([factor, dict(zip(words[::2], words[1::2]))])
-        return claim
-
-    claims = property(lambda self: [claim for case in self.cases for claim in case.claims])
-    #: Number of each free displacement.
-    free = property(lambda self: {place: i for i, place in enumerate(
-        (n, axis) for n, node in enumerate(self.nodes) for axis, (_, word) in enumerate(node) if word == "free")})
-
-    def fit(self):
-        """Makes the file well-formed: members of supports in order, forces of them, and as many numbers as each line needs."""
-        members, free = range(len(self.members)), len(self.free)
-        size = lambda numbers, count: ([float(x) for x in numbers] + count * [0.0])[:count]
-        for case in self.cases:
-            case.claims = [claim for claim in case.claims if claim.residual is None][:1] + [claim for claim in case.claims if claim.residual is not None][:1]
-            if case.claims[0].residual is not None:
-                case.claims[0].residual = None
-            for claim in case.claims:
-                claim.most = min(max(claim.most, 1), len(members))
-                claim.kept = sorted(set(claim.kept) & set(members))
-                claim.lost = sorted(set(claim.lost) & set(members) - set(claim.kept))[:claim.most]
-                claim.load, claim.motion = size(claim.load, len(case.columns)), size(claim.motion, free)
-                if claim.residual is not None:
-                    claim.residual = [min(max(x, 0.0), member[3]) for x, member in zip(size(claim.residual, len(members)), self.members)]
-                claim.lower = None if claim.fatal else claim.lower
-                claim.states = [] if claim.lower is None else claim.states
-                for state in claim.states:
-                    support = state[0] = sorted(set(state[0]) & set(members))
-                    state[1] = [[factor, {i: q for i, q in sorted(forces.items()) if i in support}]
-                                for factor, forces in (state[1] + (1 + len(case.columns)) * [[0.0, {}]])[:1 + len(case.columns)]]
-
-    def text(self):
-        lines = ["kusabi certificate 5 loss", f"dimension {self.dimension}", f"nodes {len(self.nodes)}"]
-        lines += [words_of("node", *itertools.chain(*node)) for node in self.nodes]
-        lines += [f"members {len(self.members)}", *(words_of("member", *member) for member in self.members)]
-        for case in self.cases:
-            lines += [f"case {case.name}".rstrip()]
-            for key in ("dead", "reference"):
-                lines += [f"{key} {len(getattr(case, key))}", *(words_of("force", node, *force) for node, force in getattr(case, key))]
-            lines += [f"uncertain {len(case.columns)}"]
-            lines += [words_of("column", width, len(parts), *itertools.chain(*parts), *name.split(" ") * bool(name)) for width, parts, name in case.columns]
-            for claim in case.claims:
-                lines += [words_of("residual", *claim.residual)] if claim.residual is not None else []
-                lines += [words_of("lose", claim.most, claim.sudden), words_of("kept", len(claim.kept), *claim.kept),
-                          words_of("lost", len(claim.lost), *claim.lost, *["fatal"] * claim.fatal), words_of("load", *claim.load),
-                          words_of("motion", *claim.motion), words_of("lower", *([] if claim.lower is None else [claim.lower])), f"states {len(claim.states)}"]
-                for support, columns in claim.states:
-                    lines += [words_of("state", len(support), *support)]
-                    lines += [words_of("forces", factor, len(forces), *itertools.chain(*forces.items())) for factor, forces in columns]
-        content = "\n".join([*lines, "end"]) + "\n"
-        return content + f"digest {hashlib.sha1(content.encode()).hexdigest()}\n"
 
 
 # Correct answers ------------------------------------------------------------------------------------------------------
@@ -177,7 +47,8 @@ def ends_of(columns, tension, compression, reference, load, number):
 
 
 class Truth:
-    """Factors of the truss and the loads of a certificate, with the yield forces recorded there."""
+    """Factors of the truss and the loads of a certificate, with the yield forces recorded there, divided by the dynamic
+    factor."""
 
     def __init__(self, own):
         self.own, self.free = own, own.free
@@ -210,14 +81,18 @@ class Truth:
         for signs in itertools.product((-1, 1), repeat=len(columns)):
             yield tuple(x + sum(sign * column[e] for sign, column in zip(signs, columns)) for e, x in enumerate(dead))
 
-    def after(self, case, lost, residual, number=float):
-        """Factors after a loss, under each corner."""
-        strengths = [(t, c if residual is None else residual[i]) for i, (_, _, t, c) in enumerate(self.own.members)]
-        tension, compression = (tuple(0.0 if i in lost else each[k] / self.lengths[i] for i, each in enumerate(strengths)) for k in (0, 1))
+    def ends(self, case, lost, residual, number=float):
+        """Least and largest factor after a loss, under each corner. @param residual at residual strength"""
+        tension, compression = (tuple(0.0 if i in lost else (t, c, r)[k] / self.own.claims[0].sudden / self.lengths[i]
+                                      for i, (_, _, t, c, r) in enumerate(self.own.members)) for k in (0, 1 + residual))
         for corner in self.corners(case):
-            yield ends_of(tuple(self.columns), tension, compression, tuple(self.load(case.reference)), corner, number)[1]
+            yield ends_of(tuple(self.columns), tension, compression, tuple(self.load(case.reference)), corner, number)
 
-    def least(self, case, losses, residual=None, below=None):
+    def after(self, case, lost, residual, number=float):
+        """The largest ones alone."""
+        return (most for _, most in self.ends(case, lost, residual, number))
+
+    def least(self, case, losses, residual=False, below=None):
         """Least factor over all losses and loads, or, sooner, one below a number."""
         least = math.inf
         for lost in losses:
@@ -254,7 +129,7 @@ class Judge:
         self.checked += 1
         room = NEAR * (1 + abs(factor)) if math.isfinite(factor) else 0
         for number in (float, Fraction):
-            found = [x for case in self.own.cases for x in self.truth.after(case, lost, None, number)]
+            found = [x for case in self.own.cases for x in self.truth.after(case, lost, False, number)]
             if any(math.isnan(x) or x <= factor + room for x in found):
                 return True
         return False
@@ -281,9 +156,8 @@ class Judge:
             yield f"the kept members are {claim.kept}"
         room = NEAR * (1 + abs(float(lower)))
         for case in self.own.cases:
-            residual = next((claim.residual for claim in case.claims if claim.residual), None) if struts else None
             self.checked += 1
-            least = self.truth.least(case, _losses(len(self.own.members), int(most or 1), claim.kept), residual, float(lower) - room)
+            least = self.truth.least(case, _losses(len(self.own.members), int(most or 1), claim.kept), bool(struts), float(lower) - room)
             if least < float(lower) - room:
                 yield f"a factor is {float(least)}"
         if not self.is_at_most(self.lost(lost), float(upper)):
@@ -331,14 +205,13 @@ class Forger:
         if what == 0:
             claim.lost = self.rng.sample(range(len(self.own.members)), min(len(self.own.members), self.rng.randint(0, claim.most)))
         elif what == 1:
-            claim.lost, claim.fatal = other.lost, other.fatal
+            claim.lost, claim.word = other.lost, other.word
         elif what == 2:
-            claim.fatal = not claim.fatal
-            claim.lower = None if claim.fatal else self.rng.choice((None, 0.0, 1.0))
+            claim.word = "largest" if claim.word == "none" else "none"
         elif what == 3:
             claim.lost = claim.lost[1:]
         else:
-            claim.lost, claim.fatal, claim.load, claim.motion = other.lost, other.fatal, list(other.load), list(other.motion)
+            claim.lost, claim.word, claim.load, claim.motion = other.lost, other.word, list(other.load), list(other.motion)
         return ("members", "of another", "fatal", "fewer", "collapse of another")[what]
 
     def collapse(self):
@@ -419,11 +292,12 @@ class Forger:
             case.claims.pop(self.rng.randint(0, 1))
         elif what == 4:
             other = copy.deepcopy(self.rng.choice([other, case.claims[0]]))
-            other.residual = self.rng.choice(([member[3] for member in self.own.members], [0.3 * member[3] for member in self.own.members]))
+            other.residual = True
             case.claims.append(other)
-        elif what == 5 and len(case.claims) > 1:
+        elif what == 5:
             share = self.rng.choice((0.5, 0.9, 1.1, 2.0))
-            case.claims[1].residual = [share * x for x in case.claims[1].residual]
+            for member in self.own.members:
+                member[4] *= share
         else:
             return False
         names = set()
@@ -435,7 +309,7 @@ class Forger:
         case, what, factor = self.pick(self.own.cases), self.rng.randrange(7), self.rng.choice((1 + 2**-52, 1 + 1e-12, 1.001, 2.0, 0.5, 0.0))
         member, node = self.pick(self.own.members), self.pick(self.own.nodes)
         if what == 0:
-            member[self.rng.choice((2, 3))] *= factor
+            member[self.rng.choice((2, 3, 4))] *= factor
         elif what == 1:
             at = self.rng.randrange(len(node))
             node[at] = (node[at][0] * factor, node[at][1])
@@ -448,12 +322,7 @@ class Forger:
         elif what == 4 and case.columns:
             self.pick(case.columns)[0] *= factor
         elif what == 5 and case.columns:
-            gone = self.rng.choice(([self.rng.randrange(len(case.columns))], range(len(case.columns))))
-            case.columns = [column for j, column in enumerate(case.columns) if j not in gone]
-            for claim in case.claims:
-                claim.load = [x for j, x in enumerate(claim.load) if j not in gone]
-                for state in claim.states:
-                    state[1] = [column for j, column in enumerate(state[1], -1) if j not in gone]
+            self.own.leave_out(case, self.rng.choice(([self.rng.randrange(len(case.columns))], range(len(case.columns)))))
         elif what == 6 and case.columns:
             column = self.pick(case.columns)
             column[1] = [[node, axis, factor * x] for node, axis, x in column[1]]
@@ -494,10 +363,10 @@ def honest(kusabi, folder, text, arguments, rng):
             if not found:
                 break
             continue
-        text = (folder / "cert").read_text()
+        own = Certificate((folder / "cert").read_text())
         (folder / "cert").unlink()
-        if text.startswith("kusabi certificate 5 loss\n"):  # not: the nominal load is carried at no factor
-            found[" ".join(words)] = Certificate(text)
+        if own.claims[0].most:  # not: the nominal load is carried at no factor
+            found[" ".join(words)] = own
         elif not found:
             break
     is_fatal = not any(claim.states for each in found.values() for claim in each.claims)
@@ -511,8 +380,7 @@ def has_states(own):
 def origin_of(own, origin):
     """The certificate with the truss and the loads of the problem file; nothing: it has other load cases."""
     named, judged = {case.name: case for case in origin.cases}, copy.deepcopy(own)
-    sudden = own.claims[0].sudden
-    judged.nodes, judged.members = origin.nodes, [[a, b, t / sudden, c / sudden] for a, b, t, c in origin.members]
+    judged.nodes, judged.members = origin.nodes, origin.members
     for case in judged.cases:
         of_file = named.get(case.name)
         if of_file is None:
@@ -521,9 +389,6 @@ def origin_of(own, origin):
         key = lambda column: (column[2], column[1])
         widths = {repr(key(column)): column[0] for column in case.columns}
         case.columns = [[widths.get(repr(key(column)), column[0]), *column[1:]] for column in of_file.columns] if case.columns else []
-        for claim in case.claims:
-            of_claim = next((each.residual for each in of_file.claims if each.residual is not None), None)
-            claim.residual = claim.residual and of_claim and [x / sudden for x in of_claim]
     return judged
 
 

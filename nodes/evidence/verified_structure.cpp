@@ -80,7 +80,8 @@ verify::Structure verified_structure(const problems::Structure& structure) {
   for (const auto& member : structure.members) {
     const auto yield = member.yield.value_or(problems::YieldForces{});
     result.bars.push_back({number(member.first), number(member.second), member.axial_stiffness,
-                           yield.tension, yield.compression});
+                           yield.tension, yield.compression,
+                           yield.residual.value_or(yield.compression)});
   }
   for (const auto& element : structure.elements) {
     verify::Element solid;

@@ -13,10 +13,11 @@
 #include "nodes/limit/loss/loss_search.hpp"
 #include "nodes/limit/model/balanced_model.hpp"
 #include "nodes/limit/root/root_search.hpp"
+#include "nodes/limit/search/limit_evidence.hpp"
 #include "nodes/limit/search/nominal_proof.hpp"
 #include "nodes/limit/search/proved_ends.hpp"
 #include "nodes/limit/search/worst_case_search.hpp"
-#include "verify/limit/limit_consistency.hpp"
+#include "verify/limit/truss_consistency.hpp"
 
 namespace kusabi::limit {
 namespace {
@@ -48,12 +49,12 @@ void find_nominal(RootSearch& search, const verify::Structure& truss,
         truss, search.problem(), model, parameters.alpha.value_or(0),
         Eigen::VectorXd::Zero(model.uncertain_count()), search.load_factor().overpowering_motion());
     if (!evidence) return false;
-    findings.statements = {{{}, LimitClaim::none, std::move(*evidence)}};
+    findings.theorems = {std::move(*evidence)};
     return true;
   };
   auto& answer = findings.answer;
   answer.status = set_up(search, shown);
-  const bool is_shown = !findings.statements.empty();
+  const bool is_shown = !findings.theorems.empty();
   if (answer.status == LoadStatus::not_carried && !is_shown)
     answer.status = LoadStatus::undetermined;
   if (answer.status != LoadStatus::collapses) return;
@@ -61,25 +62,24 @@ void find_nominal(RootSearch& search, const verify::Structure& truss,
   answer.nominal = std::move(proof.collapse);
   answer.nominal_factors = proof.factors;
   const bool without_uncertainty = parameters.alpha.value_or(0) == 0;
-  if (without_uncertainty && !parameters.loss) findings.statements = std::move(proof.statements);
+  if (without_uncertainty && !parameters.loss) findings.theorems = std::move(proof.theorems);
 }
 
 // The claims of a certificate begin with that on the largest factors, or that no factor is carried.
-void add_statement(WorstCaseSearch& search, const LimitWorstCase& worst, LimitClaim claim,
-                   LimitFindings& findings) {
-  auto& evidence = search.certificate();
-  auto& statements = findings.statements;
-  if (!evidence) return;
+void add_theorem(WorstCaseSearch& search, const LimitWorstCase& worst, LimitClaim claim,
+                 LimitFindings& findings) {
+  auto& theorem = search.theorem();
+  auto& theorems = findings.theorems;
+  if (!theorem) return;
+  // That there is no factor is a theorem on the reference load itself, not on its opposite.
+  if (claim == LimitClaim::minimum) of_least_factors(*theorem);
   if (worst.status == RootStatus::not_carried) {
-    // About the reference load itself, not its opposite.
-    if (claim == LimitClaim::minimum)
-      for (double& force : evidence->reference) force = -force;
-    statements.clear();
-    claim = LimitClaim::none;
-  } else if (claim == LimitClaim::minimum && statements.empty()) {
+    theorems.clear();
+    theorem->claim = LimitClaim::none;
+  } else if (claim == LimitClaim::minimum && theorems.empty()) {
     return;
   }
-  statements.push_back({{}, claim, std::move(*evidence)});
+  theorems.push_back(std::move(*theorem));
 }
 
 // The worst case with the opposite reference load, for least factors, by static cuts. Large trusses
@@ -106,7 +106,7 @@ void find_least_factors(engine::Analysis& analysis, const verify::Structure& tru
     const LimitParameters parameters{.alpha = asked.alpha, .corners = asked.corners};
     WorstCaseSearch minimum(search, parameters, mirrored_truss);
     const auto& worst = findings.answer.reversed.emplace(minimum.solve());
-    add_statement(minimum, worst, LimitClaim::minimum, findings);
+    add_theorem(minimum, worst, LimitClaim::minimum, findings);
   } else if (search.ended()) {
     findings.answer.rest = analysis.budget().stop_reason();
   }
@@ -136,26 +136,22 @@ void find_worst_cases(RootSearch& search, const LimitParameters& parameters,
     answer.reversed = worst_without_uncertainty(answer, minimum.negative(), uncertain);
     return;
   }
-  findings.statements.clear();
+  findings.theorems.clear();
   WorstCaseSearch largest(search, parameters, truss, std::move(start));
   const auto& worst = findings.answer.worst.emplace(largest.solve());
-  add_statement(largest, worst, LimitClaim::largest, findings);
+  add_theorem(largest, worst, LimitClaim::largest, findings);
   if (worst.status == RootStatus::not_carried || worst.as_printed) return;
   find_least_factors(search.analysis(), truss, search.problem(), parameters, findings);
 }
 
 // For sudden losses the yield forces are divided by the dynamic factor: the loads grow by it, and
 // so does the reference load.
-LossAnswer worst_loss(RootSearch& search, verify::Structure truss,
+LossAnswer worst_loss(RootSearch& search, const verify::Structure& truss,
                       const LimitParameters& parameters) {
   const double sudden = parameters.loss->sudden;
   auto problem = search.problem();
   problem.tension /= sudden;
   problem.compression /= sudden;
-  for (auto& bar : truss.bars) {
-    bar.tension /= sudden;
-    bar.compression /= sudden;
-  }
   const double alpha = parameters.alpha.value_or(0);
   const auto model = problems::limit_model(problem, search.model().force_unit / sudden);
   return LossSearch(search.analysis(), truss, problem, model, *parameters.loss, alpha).solve();
@@ -253,10 +249,11 @@ LimitFindings limit_loads(engine::Analysis& analysis, const problems::Structure&
   auto residual = loads_after_buckling(analysis, structure, problem, parameters);
   findings.residual = std::move(residual.answer);
   findings.residual_loss = std::move(residual.loss);
-  if (findings.statements.empty()) return findings;  // claims at strength come first
-  for (auto& statement : residual.statements) {
-    statement.residual = true;
-    findings.statements.push_back(std::move(statement));
+  if (auto& loss = findings.residual_loss; loss && loss->theorem) loss->theorem->residual = true;
+  if (findings.theorems.empty()) return findings;  // claims at strength come first
+  for (auto& theorem : residual.theorems) {
+    theorem.residual = true;
+    findings.theorems.push_back(std::move(theorem));
   }
   return findings;
 }

@@ -11,17 +11,17 @@
 #include "nodes/limit/root/limit_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/structure.hpp"
-#include "verify/limit/limit_certificate.hpp"
+#include "verify/limit/truss_certificate.hpp"
 
 namespace kusabi::limit {
 
 struct LimitFindings {
   LimitAnswer answer;  ///< on every rank, except counts, which are on rank 0
-  /// The proved claims with their evidence for a certificate, on rank 0. None on least factors
+  /// The proved theorems with their evidence for a certificate, on rank 0. None on least factors
   /// without one on the largest.
-  std::vector<verify::LimitStatement> statements;
+  std::vector<verify::TrussTheorem> theorems;
   /// The same analysis with all struts at their residual strength; nothing: there are no struts, or
-  /// no result at their strength. Its claims are among `statements`.
+  /// no result at their strength. Its claims are among `theorems`.
   std::optional<LimitAnswer> residual;
   /// Answer of `--lose`; nothing: not requested, or no nominal factor was found.
   std::optional<LossAnswer> loss;

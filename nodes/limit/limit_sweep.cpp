@@ -37,7 +37,7 @@ LimitSweep sweep_limit_loads(engine::Analysis& analysis, const problems::Structu
     sweep.last = std::move(found.answer);
     sweep.status = sweep.last.ended();
     const auto& worst = sweep.last.worst;
-    if (evidence) sweep.statements.push_back(std::move(found.statements));
+    if (evidence) sweep.theorems.push_back(std::move(found.theorems));
     if (!worst) break;  // there is no nominal factor
     sweep.points.push_back({alpha, *worst, guaranteed_interval(sweep.last)});
     if (sweep.status != engine::Status::solved) break;

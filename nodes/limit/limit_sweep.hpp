@@ -12,7 +12,7 @@
 #include "nodes/limit/root/limit_answer.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/structure.hpp"
-#include "verify/limit/limit_certificate.hpp"
+#include "verify/limit/truss_certificate.hpp"
 
 namespace kusabi::limit {
 
@@ -29,7 +29,7 @@ struct LimitSweep {
   /// from 0 to 1, in multiples of alpha, unless loads have half-widths of their own.
   LimitAnswer last;
   /// The proved claims at each point with their evidence, on rank 0; none unless requested.
-  std::vector<std::vector<verify::LimitStatement>> statements;
+  std::vector<std::vector<verify::TrussTheorem>> theorems;
 
   /// True if all results are complete and proved. @param asked number of alphas
   [[nodiscard]] bool whole(std::size_t asked) const;

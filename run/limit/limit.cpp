@@ -32,8 +32,7 @@
 #include "run/session/kept_state.hpp"
 #include "support/fingerprint.hpp"
 #include "support/input_error.hpp"
-#include "verify/limit/limit_certificate.hpp"
-#include "verify/limit/loss_certificate.hpp"
+#include "verify/limit/truss_certificate.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -404,13 +403,9 @@ std::vector<Step> Limit::results(CommandRun& run) {
   steps.push_back(
       run.file("--curve-csv", [report](std::ostream& out) { write_curves_csv(out, *report); }));
   steps.push_back(run.folder("--vtu", [report](auto& folder) { draw_collapses(folder, *report); }));
-  if (claims_losses()) {
+  if (claims_losses() || have_theorems(cases_, false)) {
     steps.push_back(run.file("--certificate", [this](std::ostream& out) {
-      out << loss_certificate_text(all_loss_statements(cases_));
-    }));
-  } else if (have_statements(cases_)) {
-    steps.push_back(run.file("--certificate", [this](std::ostream& out) {
-      out << limit_certificate_text(all_statements(cases_));
+      out << truss_certificate_text(all_theorems(cases_, claims_losses()));
     }));
   }
   steps.push_back(run.answer([report] { return report->table(CommandRun::page()); }));
@@ -419,7 +414,7 @@ std::vector<Step> Limit::results(CommandRun& run) {
 
 // True if the certificate is one of losses; otherwise it has claims without loss, if any.
 bool Limit::claims_losses() const {
-  return options_.loss.maximum > 0 && have_loss_statements(cases_);
+  return options_.loss.maximum > 0 && have_theorems(cases_, true);
 }
 
 const char* Limit::why_no_certificate() const {
@@ -430,7 +425,7 @@ const char* Limit::why_no_certificate() const {
 
 answer::Verdict Limit::verdict() const {
   auto verdict = limit_verdict(options_, cases_);
-  if (!certificate_.empty() && !claims_losses() && !have_statements(cases_)) {
+  if (!certificate_.empty() && !claims_losses() && !have_theorems(cases_, false)) {
     verdict.missing.push_back(fmt::format("No certificate was written ({} is unchanged): {}.",
                                           certificate_, why_no_certificate()));
   }

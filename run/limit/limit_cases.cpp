@@ -112,45 +112,35 @@ bool with_struts(std::span<const LimitCase> cases) {
                              [](const auto& each) { return each.found.residual.has_value(); });
 }
 
-bool have_statements(std::span<const LimitCase> cases) {
-  return std::ranges::none_of(cases,
-                              [](const auto& each) { return each.found.statements.empty(); });
-}
-
-std::vector<verify::LimitStatement> all_statements(std::span<const LimitCase> cases) {
-  std::vector<verify::LimitStatement> all;
-  for (const auto& each : cases) {
-    for (const auto& statement : each.found.statements) {
-      all.push_back(statement);
-      all.back().load_case = each.name;
-    }
-  }
-  return all;
-}
-
 namespace {
 
 bool is_claimed(const std::optional<limit::LossAnswer>& loss) {
-  return loss && loss->statement && loss->proved();
+  return loss && loss->theorem && loss->proved();
 }
 
 }  // namespace
 
-bool have_loss_statements(std::span<const LimitCase> cases) {
-  return std::ranges::all_of(cases, [](const auto& each) { return is_claimed(each.found.loss); });
+bool have_theorems(std::span<const LimitCase> cases, bool of_losses) {
+  return std::ranges::all_of(cases, [&](const auto& each) {
+    return of_losses ? is_claimed(each.found.loss) : !each.found.theorems.empty();
+  });
 }
 
-std::vector<verify::LossStatement> all_loss_statements(std::span<const LimitCase> cases) {
+std::vector<verify::TrussTheorem> all_theorems(std::span<const LimitCase> cases, bool of_losses) {
   const bool residual = std::ranges::all_of(
       cases, [](const auto& each) { return is_claimed(each.found.residual_loss); });
-  std::vector<verify::LossStatement> all;
+  std::vector<verify::TrussTheorem> all;
+  const auto add = [&](const LimitCase& from, const verify::TrussTheorem& theorem) {
+    all.push_back(theorem);
+    all.back().load_case = from.name;
+  };
   for (const auto& each : cases) {
-    all.push_back(*each.found.loss->statement);
-    all.back().load_case = each.name;
-    if (!residual) continue;
-    all.push_back(*each.found.residual_loss->statement);
-    all.back().load_case = each.name;
-    all.back().residual = true;
+    if (!of_losses) {
+      for (const auto& theorem : each.found.theorems) add(each, theorem);
+      continue;
+    }
+    add(each, *each.found.loss->theorem);
+    if (residual) add(each, *each.found.residual_loss->theorem);
   }
   return all;
 }

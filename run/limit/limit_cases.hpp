@@ -13,8 +13,7 @@
 #include "nodes/limit/model/limit_parameters.hpp"
 #include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/structure.hpp"
-#include "verify/limit/limit_certificate.hpp"
-#include "verify/limit/loss_certificate.hpp"
+#include "verify/limit/truss_certificate.hpp"
 
 namespace kusabi::run {
 
@@ -49,18 +48,13 @@ bool of_all_loads(std::span<const LimitCase> cases, const limit::LimitParameters
 /// True if some members are struts: their results at residual strength are lower values.
 bool with_struts(std::span<const LimitCase> cases);
 
-/// True if each case has a proved claim, as a certificate requires.
-bool have_statements(std::span<const LimitCase> cases);
+/// True if each case has proved theorems, as a certificate requires: with the loss of members, those
+/// on the requested losses; without, those on load factors.
+bool have_theorems(std::span<const LimitCase> cases, bool of_losses);
 
-/// The proved claims of all cases, for one certificate. @pre have_statements()
-std::vector<verify::LimitStatement> all_statements(std::span<const LimitCase> cases);
-
-/// True if the loss of members has its requested result proved in each case.
-bool have_loss_statements(std::span<const LimitCase> cases);
-
-/// The proved claims on the loss of members, and those at residual strength if each case has one.
-/// @pre have_loss_statements()
-std::vector<verify::LossStatement> all_loss_statements(std::span<const LimitCase> cases);
+/// The proved theorems of all cases, for one certificate; on losses at residual strength if each
+/// case has one. @pre have_theorems()
+std::vector<verify::TrussTheorem> all_theorems(std::span<const LimitCase> cases, bool of_losses);
 
 /// Load factors carried in all cases. @param all_loads under every admissible load; otherwise under
 /// the nominal ones

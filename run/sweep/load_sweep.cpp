@@ -24,7 +24,7 @@
 #include "run/session/progress_line.hpp"
 #include "run/sweep/swept.hpp"
 #include "support/rounded_bounds.hpp"
-#include "verify/limit/limit_certificate.hpp"
+#include "verify/limit/truss_certificate.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -191,12 +191,12 @@ void LoadSweep::write_csv(std::ostream& out) const {
 }
 
 void LoadSweep::write_certificates(OutputFolder& folder) const {
-  for (std::size_t point = 0; point < found_.statements.size(); ++point) {
-    auto statements = found_.statements[point];
-    if (statements.empty()) continue;
-    for (auto& each : statements) each.load_case = options_.load_case;
+  for (std::size_t point = 0; point < found_.theorems.size(); ++point) {
+    auto theorems = found_.theorems[point];
+    if (theorems.empty()) continue;
+    for (auto& each : theorems) each.load_case = options_.load_case;
     folder.write(fmt::format("{}.cert", options_.alpha[point]),
-                 [&](std::ostream& out) { out << limit_certificate_text(statements); });
+                 [&](std::ostream& out) { out << truss_certificate_text(theorems); });
   }
 }
 
@@ -244,12 +244,11 @@ answer::Verdict LoadSweep::verdict() const {
   steps.open = !found_.whole(options_.alpha.size());
   answer::Verdict verdict{.ended = found_.status, .answer = steps};
   const auto without =
-      std::ranges::count(found_.statements, true, &std::vector<verify::LimitStatement>::empty);
+      std::ranges::count(found_.theorems, true, &std::vector<verify::TrussTheorem>::empty);
   if (without > 0)
-    verdict.missing.push_back(
-        answer::no_certificate_of(static_cast<std::size_t>(without),
-                                  answer::counted(found_.statements.size(), "computed half-width"),
-                                  answer::not_all_is_proved));
+    verdict.missing.push_back(answer::no_certificate_of(
+        static_cast<std::size_t>(without),
+        answer::counted(found_.theorems.size(), "computed half-width"), answer::not_all_is_proved));
   return verdict;
 }
 

@@ -2,18 +2,14 @@
 #include "run/verify/proof_words.hpp"
 
 #include <algorithm>
-#include <map>
-#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "answer/values.hpp"
-#include "problems/limit/limit_problem.hpp"
 #include "problems/structure/model/load_cases.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/output/values.hpp"
-#include "support/input_error.hpp"
 #include "support/one_line.hpp"
 #include "verify/wedged/block_proof.hpp"
 #include "verify/wedged/lines.hpp"
@@ -65,38 +61,6 @@ std::string cases_left_text(const std::vector<std::string>& covered,
                      fmt::join(left, ", "));
 }
 
-std::optional<double> common_half_width(const HalfWidths& all) {
-  if (all.empty()) return 0;
-  const auto [minimum, maximum] = std::ranges::minmax(all, {}, &HalfWidths::value_type::second);
-  if (minimum.second != maximum.second) return {};
-  return maximum.second;
-}
-
-std::optional<double> half_width_of_all(const std::vector<HalfWidths>& claims) {
-  std::set<std::optional<double>> all;
-  for (const auto& each : claims) all.insert(common_half_width(each));
-  return all.size() == 1 ? *all.begin() : std::nullopt;
-}
-
-std::string half_widths_text(const HalfWidths& all) {
-  if (all.empty()) return "uncertain loads: none\n";
-  std::map<std::pair<std::string, double>, std::size_t> loads;
-  for (const auto& each : all) ++loads[each];
-  std::vector<std::string> parts;
-  std::vector<std::string> unnamed;
-  for (const auto& [load, count] : loads) {
-    const auto& [name, half_width] = load;
-    if (name.empty()) {
-      unnamed.push_back(fmt::format("{} unnamed within +- {}", count, half_width));
-    } else {
-      parts.push_back(fmt::format("{}{} within +- {}", support::in_quotes(name),
-                                  count == 1 ? "" : fmt::format(" ({} loads)", count), half_width));
-    }
-  }
-  parts.insert(parts.end(), unnamed.begin(), unnamed.end());
-  return fmt::format("uncertain loads: {}\n", fmt::join(parts, ", "));
-}
-
 std::string verified_problem(const VerifyOptions& options,
                              const problems::CheckedStructure& structure) {
   return fmt::format("problem: {}, from {}, fingerprint {}\n", structure->name, options.problem,
@@ -113,16 +77,6 @@ std::string large_displacements_text(std::uint64_t nodes) {
   if (nodes == 0) return {};
   return fmt::format(", {} of them only for displacements up to {:.2g} times the strains", nodes,
                      verify::largest_displacement_ratio);
-}
-
-std::optional<std::uint64_t> limit_fingerprint(const problems::CheckedStructure& structure,
-                                               std::optional<support::InputError>& fault) {
-  try {
-    return problems::limit_problem(structure).fingerprint;
-  } catch (const support::InputError& error) {
-    fault = error;
-    return {};
-  }
 }
 
 }  // namespace kusabi::run

@@ -20,8 +20,7 @@
 #include "run/output/values.hpp"
 #include "run/output/wrong_input.hpp"
 #include "support/fingerprint.hpp"
-#include "verify/limit/limit_certificate.hpp"
-#include "verify/limit/loss_certificate.hpp"
+#include "verify/limit/truss_certificate.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -101,10 +100,8 @@ void Verify::prepare(CommandRun& run) {
 
 // The first line identifies the kind of certificate.
 void Verify::search(CommandRun& run) {
-  if (text_.starts_with(verify::loss_first_line)) {
-    findings_ = verify_loss(run, options_, structure_, text_);
-  } else if (text_.starts_with(verify::limit_first_line)) {
-    findings_ = verify_limit(run, options_, structure_, text_);
+  if (text_.starts_with(verify::truss_first_line)) {
+    findings_ = verify_truss(run, options_, structure_, text_);
   } else {
     findings_ = verify_contact(run, options_, structure_, text_);
   }

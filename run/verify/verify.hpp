@@ -33,20 +33,13 @@ VerifyFindings verify_contact(CommandRun& run, const VerifyOptions& options,
                               const std::optional<problems::CheckedStructure>& structure,
                               const std::string& text);
 
-/// Proves both bounds on all ranks, in pieces of one node.
-/// @param structure of the problem file to prove it for, if any
+/// Proves theorems on load factors of a truss on all ranks, in pieces of one node or state.
+/// @param structure of the problem file to prove them for; nothing: the truss of the certificate
 /// @param text of the file, the same on all ranks
-/// @throws WrongInput on every rank; support::InputError if limit analysis does not apply to the
-/// structure
-VerifyFindings verify_limit(CommandRun& run, const VerifyOptions& options,
+/// @throws WrongInput on every rank if it is not a certificate; support::InputError if limit
+///         analysis does not apply to the structure
+VerifyFindings verify_truss(CommandRun& run, const VerifyOptions& options,
                             const std::optional<problems::CheckedStructure>& structure,
                             const std::string& text);
-
-/// @param structure of the problem file to prove the claims for, if any
-/// @throws WrongInput for a wrong certificate, on every rank; support::InputError if limit analysis
-///         does not apply to the structure
-VerifyFindings verify_loss(CommandRun& run, const VerifyOptions& options,
-                           const std::optional<problems::CheckedStructure>& structure,
-                           const std::string& text);
 
 }  // namespace kusabi::run

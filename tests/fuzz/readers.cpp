@@ -24,7 +24,7 @@
 #include "solvers/linear/program_file.hpp"
 #include "support/input_error.hpp"
 #include "support/sha1.hpp"
-#include "verify/limit/limit_certificate.hpp"
+#include "verify/limit/truss_certificate.hpp"
 #include "verify/wedged/certificate.hpp"
 #include "verify/wedged/cover.hpp"
 
@@ -202,8 +202,12 @@ std::optional<std::string> try_program(const std::string& bytes, const char* nam
 
 std::optional<std::string> try_certificate(const std::string& bytes) {
   return refusal<verify::CertificateError>([&] {
-    if (bytes.starts_with(verify::limit_first_line)) {
-      verify::read_limit_certificate(bytes, "fuzzed");
+    if (bytes.starts_with(verify::truss_first_line)) {
+      const auto theorems = verify::read_truss_certificate(bytes, "fuzzed");
+      const auto text = verify::truss_certificate_text(theorems);
+      require(
+          text == verify::truss_certificate_text(verify::read_truss_certificate(text, "fuzzed")),
+          "a certificate that changes when it is written");
     } else {
       const auto certificate = verify::read_certificate(bytes, "fuzzed");
       for (std::size_t theorem = 0; theorem < certificate.theorems.size(); ++theorem)

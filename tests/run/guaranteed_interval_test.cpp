@@ -246,10 +246,10 @@ TEST_F(GuaranteedInterval, OfAForgedCertificateIsRefused) {
     std::ofstream(in_folder("forged")) << sealed(changed);
     return shell(command + " verify " + argument("forged") + " --problem " + file);
   };
-  EXPECT_EQ(forged("claim least", "claim largest").exit_code, 2);
-  EXPECT_EQ(forged("claim largest", "claim least").exit_code, 2);
-  EXPECT_EQ(forged("claim largest", "claim none").exit_code, 2);
-  EXPECT_EQ(forged("alpha 0x1.8p+0", "alpha 0x1.8p-1").exit_code, 1);
+  EXPECT_EQ(forged("theorem 1 least", "theorem 1 largest").exit_code, 2);
+  EXPECT_EQ(forged("theorem 1 largest", "theorem 1 least").exit_code, 2);
+  EXPECT_EQ(forged("theorem 1 largest", "theorem 1 none").exit_code, 2);
+  EXPECT_EQ(forged("column 0x1.8p+0", "column 0x1.8p-1").exit_code, 1);
   EXPECT_EQ(forged("\ncase\n", "\ncase a\n").exit_code, 1);
 }
 

@@ -42,20 +42,18 @@ TEST(ForcesAgainstDefects, AreNotFoundForDefectsBeyondAllDoubles) {
 
 // Three members at each of two displacements with forces of 1e308: the defect exceeds all doubles.
 TEST(LimitProof, RefusesForcesWhoseDefectIsBeyondAllDoubles) {
-  LimitCertificate certificate;
-  certificate.displacements = 2;
-  certificate.columns = upright({0, 0, 0, 1, 1, 1});
-  certificate.tension.assign(6, 1.7e308);
-  certificate.compression.assign(6, 1.7e308);
-  certificate.dead = {0, 0};
-  certificate.reference = {1, 1};
-  certificate.motion = {1, 0};
+  LimitTruss truss;
+  for (const auto& column : upright({0, 0, 0, 1, 1, 1}))
+    truss.columns.push_back({{column[0].first, {Dyadic(column[0].second), {}}}});
+  const std::vector<double> strong(6, 1.7e308);
+  truss.below = truss.above = {strong, strong};
+  truss.dead.resize(2);
+  truss.reference.assign(2, Dyadic(1.0));
+  truss.names.resize(6);
   LimitNode node;
   node.factor = 1000;
   node.forces.assign(6, 1e308);
-  certificate.nodes.push_back(node);
-  EXPECT_TRUE(
-      std::holds_alternative<std::string>(LimitProof(certificate).lower(certificate.nodes[0])));
+  EXPECT_TRUE(std::holds_alternative<std::string>(LimitProof(truss).lower(node)));
 }
 
 }  // namespace

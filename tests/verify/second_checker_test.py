@@ -176,7 +176,7 @@ class SecondChecker(KusabiCase):
         struts = self.problem(re.sub(r"(compression = \d+)( *})", r"\1, residual = 0.3\2", BRIDGE.read_text()))
         (path,) = self.certificates("limit", struts, "--alpha", 1)
         body = without_digest(path.read_text())
-        path.write_text(sealed(re.sub(r"(?m)^(residual(?: \S+){6}) \S+", r"\1 0x1p+20", body)))
+        path.write_text(sealed(re.sub(r"(?m)^(member(?: \S+){4}) \S+", r"\1 0x1p+20", body)))
         self.assertEqual([run.returncode for run in self.both(path)], [2, 2])
 
     def test_certificates_of_the_other_tests(self):
@@ -232,36 +232,39 @@ class SecondChecker(KusabiCase):
     def test_forged_limit_loads_and_losses(self):
         (path,) = self.certificates("limit", EXAMPLES / "gust.toml", "--alpha", 0.45)
         self.check_forgeries(path, None, (
-            (r"(?m)^alpha \S+", "alpha 0x1p-1", (1,)), (r"(?m)^(node 0 .*) (\S+)$", r"\1 0x1p+9", (1,)),
+            (r"(?m)^column \S+", "column 0x1p-1", (1,)), (r"(?m)^(node 0 .*) (\S+)$", r"\1 0x1p+9", (1,)),
             (r"(?m)^load -?\S+", "load 0x1p+0", (1,)), (r"(?m)^(motion) .*", lambda m: m[1] + 99 * " 0x0p+0", (2,)),
-            (r"(?m)^cut .*\n", "", (2,)), (r"(?m)^member \S+", "member 0x1p-9", (1,)),
-            (r"(?m)^(column \d+) \S+", r"\1 0x0p+0", (2,)),
-            (r"(?s)(claim least.*?\nnodes )\d+\n(node [^\n]*\n)+", r"\g<1>0\n", (0,))))  # the bound of the motion
+            (r"(?m)^cut .*\n", "", (2,)), (r"(?m)^(member \d+ \d+) \S+", r"\1 0x1p-9", (1,)),
+            (r"(?m)^(column .*) \S+ (\S+)$", r"\1 0x0p+0 \2", (2,)), (r"(?m)^(theorem 1) largest", r"\1 least", (2,)),
+            (r"(?m)^(theorem 1 largest strength 0) 0x1p\+0", r"\1 0x1p+1", (2,)),
+            (r"(?s)(theorem 1 least.*?\nnodes )\d+\n(node [^\n]*\n)+", r"\g<1>0\n", (0,))))  # the bound of the motion
         path.unlink()
         (path,) = self.certificates("limit", EXAMPLES / "static-gap.toml", "--alpha", 1)  # not carried at any factor
         opposite = (r"(?m)^motion .*", lambda m: re.sub(" (-?)0x", lambda n: " 0x" if n[1] else " -0x", m[0]), (0,))
-        self.check_forgeries(path, None, (opposite, (r"(?m)^claim none", "claim largest", (1,))))
+        self.check_forgeries(path, None, (opposite, (r"(?sm)^(theorem 1) none(.*)end", r"\1 largest\2cuts 0\nnodes 0\nend", (1,))))
         path.unlink()
         (path,) = self.certificates("limit", BRIDGE, "--lose", 1, "--alpha", 1)
         self.check_forgeries(path, None, (
-            (r"(?m)^lower \S+", "lower 0x1p+0", (1,)), (r"(?m)^lost 1 \d+", "lost 1 9", (0, 1)),
-            (r"(?m)^lose 1 ", "lose 2 ", (1,)), (r"(?m)^lose 1 ", "lose 0 ", (2,)),
-            (r"(?m)^states \d+\nstate ", "states 9\nstate 1", (2,)), (r"(?m)^force \d+", "force 99", (2,)),
+            (r"(?m)^(states \d+) \S+", r"\1 0x1p+0", (1,)), (r"(?m)^lost 1 \d+", "lost 1 9", (0, 1)),
+            (r"(?m)^(theorem .* strength) 1 ", r"\1 2 ", (1,)), (r"(?m)^(theorem .* strength) 1 ", r"\1 0 ", (2,)),
+            (r"(?m)^states \d+ (.*)\nstate ", r"states 9 \1\nstate 1", (2,)), (r"(?m)^force \d+", "force 99", (2,)),
             (r"(?m)^(forces \S+ \d+ \d+) \S+", r"\1 0x1p+9", (0, 1)), (r"(?m)^column \S+", "column 0x1p+2", (1,))))
 
     def test_load_cases_with_different_losses(self):
-        """One sentence has the claims of all load cases, so those of a case may not be about fewer losses."""
+        """One sentence has the theorems on all load cases, so those of a case may not be about fewer losses."""
         (path,) = self.certificates("limit", BRIDGE, "--lose", 1, "--alpha", 1)
-        head, case = without_digest(path.read_text()).removesuffix("end\n").split("case", 1)
+        head, case, theorem = re.fullmatch(r"(?s)(.*)cases 1\ncase(.*)theorems 1\ntheorem 1(.*)end\n",
+                                           without_digest(path.read_text())).groups()
         count = head.count("\nmember ")
-        all_kept = f"kept {count} " + " ".join(map(str, range(count)))
-        for old, new, code in (("", "", 0), ("kept 0", all_kept, 1), ("lose 1 0x1p+0", "lose 1 0x1.001p+0", 1),
-                               ("lose 1 ", "lose 2 ", 1)):
+        all_kept = f"0x1p+0 {count} " + " ".join(map(str, range(count))) + "\n"
+        for old, new, code in (("", "", 0), ("0x1p+0 0\n", all_kept, 2), ("strength 1 0x1p+0", "strength 1 0x1.001p+0", 2),
+                               ("strength 1", "strength 2", 2)):
             with self.subTest(new):
-                other = case.replace(old, new, 1)
-                other = re.sub(r"lost 1 \d+", "lost 0", other) if "kept" in old else other
-                for cases in (case, other), (other, case):
-                    path.write_text(sealed(f"{head}case one{cases[0]}case two{cases[1]}end\n"))
+                other = theorem.replace(old, new, 1)
+                other = re.sub(r"lost 1 \d+", "lost 0", other) if "0x1p+0 0" in old else other
+                for one, two in ((theorem, other), (other, theorem)):
+                    path.write_text(sealed(f"{head}cases 2\ncase one{case}case two{case}theorems 2\n"
+                                           f"theorem 1{one}theorem 2{two}end\n"))
                     self.assertEqual(self.check_same(path).returncode, code)
 
     def test_numbers_that_are_no_doubles(self):

@@ -80,35 +80,36 @@ std::vector<Dyadic> without_elongations(std::vector<Dyadic> motion,
 
 }  // namespace
 
-std::vector<Dyadic> corrected_motion(const LimitCertificate& certificate, const LimitTruss& truss,
+std::vector<Dyadic> corrected_motion(const CollapseMotion& collapse, const LimitTruss& truss,
                                      bool without_work) {
+  const auto [tension, compression] = truss.remaining(collapse.lost);
   std::vector<Dyadic> motion;
   double largest = 0;
-  for (const double u : certificate.motion) {
+  for (const double u : collapse.motion) {
     motion.emplace_back(u);
     largest = std::max(largest, std::abs(u));
   }
   std::vector<std::size_t> rigid;
   double dissipated = 0;
-  for (std::size_t i = 0; i < certificate.members(); ++i) {
+  for (std::size_t i = 0; i < truss.members(); ++i) {
     const double stretch = elongation_of(truss.columns[i], motion).nearest();
     if (std::abs(stretch) <= is_still * largest) {
       rigid.push_back(i);
     } else {
-      dissipated += stretch * (stretch < 0 ? -certificate.compression[i] : certificate.tension[i]);
+      dissipated += stretch * (stretch < 0 ? -compression[i] : tension[i]);
     }
   }
   std::vector<const TrussColumn*> still;
   for (const auto i : rigid) {
     // Upper bound of the cost, since the sign of a rounding error is unknown.
-    const double cost =
-        rounding * largest * std::max(certificate.tension[i], certificate.compression[i]);
+    const double cost = rounding * largest * std::max(tension[i], compression[i]);
     if (cost > significant_cost * dissipated) still.push_back(&truss.columns[i]);
   }
   TrussColumn reference;
   if (without_work) {
     for (std::size_t e = 0; e < truss.reference.size(); ++e) {
-      if (truss.reference[e].value.sign() != 0) reference.emplace_back(e, truss.reference[e]);
+      if (truss.reference[e].sign() != 0)
+        reference.emplace_back(e, Approximate{truss.reference[e], {}});
     }
     still.push_back(&reference);
   }

@@ -1,11 +1,11 @@
-// Collapse motion of a limit-load certificate, corrected for its proof.
+// Collapse motion of a theorem on a truss, corrected for its proof.
 #pragma once
 
 #include <vector>
 
 #include "verify/arithmetic/exact.hpp"
-#include "verify/limit/limit_certificate.hpp"
 #include "verify/limit/limit_truss.hpp"
+#include "verify/limit/truss_certificate.hpp"
 
 namespace kusabi::verify {
 
@@ -13,8 +13,9 @@ namespace kusabi::verify {
 /// exactly and, if requested, the reference load does no work. A large yield force, which stands
 /// for an unlimited one, would multiply rounding errors. The correction need not be accurate: its
 /// bound is computed exactly.
+/// Yield forces of lost members are zero.
 /// @param without_work the reference load does no work
-std::vector<Dyadic> corrected_motion(const LimitCertificate& certificate, const LimitTruss& truss,
+std::vector<Dyadic> corrected_motion(const CollapseMotion& collapse, const LimitTruss& truss,
                                      bool without_work);
 
 }  // namespace kusabi::verify

@@ -8,7 +8,7 @@
 
 #include <gmpxx.h>
 
-#include "verify/limit/limit_certificate.hpp"
+#include "verify/limit/limit_truss.hpp"
 #include "verify/structure/freedom.hpp"
 #include "verify/structure/structure.hpp"
 
@@ -38,17 +38,19 @@ std::vector<Number> sum_of(const std::vector<Force>& forces, const Structure& st
   for (const auto& force : forces) {
     for (std::size_t axis = 0; axis < structure.dimension; ++axis) {
       const auto number = freedom.number[force.node][axis];
-      if (number != Freedom::none) sum[number] += Number(force.components[axis]);
+      if (number != Freedom::none) sum[number] = sum[number] + Number(force.components[axis]);
     }
   }
   return sum;
 }
 
-/// The truss without uncertain loads. @pre a truss without ties and inclined supports
-ExactTruss exact_truss(const Structure& structure);
+/// The columns of T by free displacement. Without uncertain loads in the structure, one for each
+/// displacement whose loads have the sum zero in double precision.
+std::vector<Sparse> uncertain_columns(const Structure& structure, const Freedom& freedom);
 
-/// Adds uncertain loads. @param columns of T @param alpha half-width of each
-void add_uncertain(const std::vector<Sparse>& columns, const std::vector<double>& alpha,
-                   ExactTruss& truss);
+/// The truss, with its uncertain loads if the structure has them.
+/// @param sudden dynamic factor of a loss, which divides the yield forces
+/// @pre a truss without ties and inclined supports
+ExactTruss exact_truss(const Structure& structure, double sudden = 1);
 
 }  // namespace kusabi::verify

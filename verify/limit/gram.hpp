@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "verify/arithmetic/cholesky.hpp"
-#include "verify/limit/limit_certificate.hpp"
+#include "verify/limit/limit_truss.hpp"
 
 namespace kusabi::verify {
 

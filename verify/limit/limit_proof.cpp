@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -17,37 +17,29 @@ Dyadic product(const Dyadic& a, double b) {
   return a * Dyadic(b);
 }
 
-// Bounds of the error of each entry of the certificate's columns; empty if they are exact.
-std::vector<Sparse> errors_of(const LimitCertificate& certificate, const LimitTruss& truss) {
-  std::vector<Sparse> errors(truss.columns.size());
-  bool any = false;
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    std::map<std::size_t, Approximate> difference;
-    for (const auto& [e, entry] : truss.columns[i]) {
-      difference[e].value = difference[e].value + entry.value;
-      difference[e].error = difference[e].error + entry.error;
-    }
-    for (const auto& [e, entry] : certificate.columns[i]) {
-      difference[e].value = difference[e].value - Dyadic(entry);
-    }
-    for (const auto& [e, each] : difference) {
-      const auto error = absolute(each.value) + each.error;
-      if (error.sign() == 0) continue;
-      any = true;
-      errors[i].emplace_back(e, double_above(error));
-    }
-  }
-  if (!any) errors.clear();
-  return errors;
-}
-
 }  // namespace
 
-LimitProof::LimitProof(const LimitCertificate& certificate, LimitTruss truss)
-    : certificate_(certificate),
-      truss_(std::move(truss)),
-      uncertain_(certificate.uncertain.begin(), certificate.uncertain.end()),
-      column_errors_(errors_of(certificate_, truss_)) {
+LimitColumn::LimitColumn(const Sparse& load) : direction(load) {
+  if (load.size() != 1) return;
+  weight = std::abs(load.front().second);
+  direction.front().second = std::copysign(1.0, load.front().second);
+}
+
+LimitProof::LimitProof(const LimitTruss& truss, std::span<const LimitCut> cuts)
+    : truss_(truss), cuts_(cuts), uncertain_(truss.uncertain.begin(), truss.uncertain.end()) {
+  bool exact = true;
+  for (const auto& column : truss.columns) {
+    auto& rounded = columns_.emplace_back();
+    auto& errors = column_errors_.emplace_back();
+    for (const auto& [e, entry] : column) {
+      rounded.emplace_back(e, entry.value.nearest());
+      const auto error = absolute(entry.value - Dyadic(rounded.back().second)) + entry.error;
+      if (error.sign() == 0) continue;
+      errors.emplace_back(e, double_above(error));
+      exact = false;
+    }
+  }
+  if (exact) column_errors_.clear();
   const auto rounded = [](const Approximate& number) {
     return TwoDoubles::of(number.value, number.error);
   };
@@ -56,10 +48,10 @@ LimitProof::LimitProof(const LimitCertificate& certificate, LimitTruss truss)
     for (const auto& [e, entry] : truss_.columns[i]) columns[i].emplace_back(e, rounded(entry));
   }
   std::vector<TwoDoubles> reference;
-  for (const auto& each : truss_.reference) reference.push_back(rounded(each));
-  for (const auto& cut : certificate.cuts) {
+  for (const auto& each : truss_.reference) reference.push_back(rounded({each, {}}));
+  for (const auto& cut : cuts) {
     // d + k f_R - B y
-    std::vector<EnclosedSum> sums(certificate.displacements);
+    std::vector<EnclosedSum> sums(truss_.displacements());
     for (const auto& [e, value] : uncertain_[cut.column].direction) sums[e].add({value}, 1);
     for (std::size_t e = 0; e < sums.size(); ++e) sums[e].add(reference[e], cut.factor);
     for (const auto& [member, force] : cut.forces) {
@@ -81,7 +73,7 @@ Sparse LimitProof::defect_of(const LimitCut& cut, std::span<const EnclosedSum> s
 }
 
 Sparse LimitProof::exact_defect_of(const LimitCut& cut) const {
-  std::vector<Dyadic> load(certificate_.displacements);
+  std::vector<Dyadic> load(truss_.displacements());
   for (const auto& [e, value] : uncertain_[cut.column].direction) {
     load[e] = load[e] + Dyadic(value);
   }
@@ -93,72 +85,85 @@ Sparse LimitProof::exact_defect_of(const LimitCut& cut) const {
   return sizes;
 }
 
-// |load + factor f_R - B forces|, by displacement, with the errors of f_R and B.
+// |load + factor f_R - B forces|, by displacement, with the errors of B.
 std::vector<Dyadic> LimitProof::defect(const Sparse& forces, std::vector<Dyadic> load,
                                        double factor) const {
   std::vector<Dyadic> errors(load.size());
-  const auto add = [&](std::size_t e, const Approximate& number, double times) {
-    load[e].add_product(number.value, times);
-    errors[e].add_product(number.error, std::abs(times));
-  };
   if (factor != 0) {
-    for (std::size_t e = 0; e < load.size(); ++e) add(e, truss_.reference[e], factor);
+    for (std::size_t e = 0; e < load.size(); ++e) load[e].add_product(truss_.reference[e], factor);
   }
   for (const auto& [member, force] : forces) {
     if (force == 0) continue;
-    for (const auto& [e, entry] : truss_.columns[member]) add(e, entry, -force);
+    for (const auto& [e, entry] : truss_.columns[member]) {
+      load[e].add_product(entry.value, -force);
+      errors[e].add_product(entry.error, std::abs(force));
+    }
   }
   for (std::size_t e = 0; e < load.size(); ++e) load[e] = absolute(load[e]) + errors[e];
   return load;
 }
 
-bool LimitProof::load_is_admissible() const {
-  for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
-    if (std::abs(certificate_.load[j]) > certificate_.alpha[j]) return false;
+bool LimitProof::is_admissible(const std::vector<double>& load) const {
+  for (std::size_t j = 0; j < load.size(); ++j) {
+    if (std::abs(load[j]) > truss_.alpha[j]) return false;
   }
   return true;
 }
 
-std::variant<mpq_class, std::string> LimitProof::upper() const {
-  if (!load_is_admissible()) return "the load is outside of its bounds";
-  const auto u = corrected_motion(certificate_, truss_, false);
-  Dyadic work;        // of f_R
-  Dyadic work_error;  // of the work
+// Upper bound of the dissipation minus the work of the dead load on a motion.
+Dyadic LimitProof::excess(const CollapseMotion& collapse, const std::vector<Dyadic>& u) const {
   Dyadic value;
-  for (std::size_t e = 0; e < u.size(); ++e) {
-    const auto size = absolute(u[e]);
-    work = work + truss_.reference[e].value * u[e];
-    work_error = work_error + truss_.reference[e].error * size;
-    value = value - truss_.dead[e].value * u[e] + truss_.dead[e].error * size;
+  for (std::size_t e = 0; e < u.size(); ++e) value = value - truss_.dead[e] * u[e];
+  for (std::size_t j = 0; j < collapse.load.size(); ++j) {
+    for (const auto& [e, each] : truss_.uncertain[j])
+      value.add_product(product(u[e], each), -collapse.load[j]);
   }
-  if (!(work > work_error)) return "the reference load does no work on the motion";
-  for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
-    for (const auto& [e, each] : certificate_.uncertain[j]) {
-      value.add_product(product(u[e], each), -certificate_.load[j]);
-    }
-  }
-  for (std::size_t i = 0; i < certificate_.members(); ++i) {
+  const auto [tensions, compressions] = truss_.remaining(collapse.lost);
+  for (std::size_t i = 0; i < truss_.members(); ++i) {
     const auto elongation = elongation_of(truss_.columns[i], u);
-    const double tension = certificate_.tension[i];
-    const double compression = certificate_.compression[i];
-    value.add_product(absolute(elongation), elongation.sign() < 0 ? compression : tension);
-    for (const auto& [e, entry] : truss_.columns[i]) {
-      value.add_product(entry.error * absolute(u[e]), std::max(tension, compression));
-    }
+    value.add_product(absolute(elongation), elongation.sign() < 0 ? compressions[i] : tensions[i]);
+    for (const auto& [e, entry] : truss_.columns[i])
+      value.add_product(entry.error * absolute(u[e]), std::max(tensions[i], compressions[i]));
   }
-  const auto divisor = value.sign() < 0 ? work + work_error : work - work_error;
-  return mpq_class(value.rational() / divisor.rational());
+  return value;
+}
+
+std::variant<mpq_class, std::string> LimitProof::upper(const CollapseMotion& collapse) const {
+  if (!is_admissible(collapse.load)) return "the load is outside of its bounds";
+  const auto u = corrected_motion(collapse, truss_, false);
+  Dyadic work;  // of f_R
+  for (std::size_t e = 0; e < u.size(); ++e) work = work + truss_.reference[e] * u[e];
+  if (work.sign() <= 0) return "the reference load does no work on the motion";
+  return mpq_class(excess(collapse, u).rational() / work.rational());
+}
+
+// The corrected motion is multiplied by the reference load at the displacement that is changed.
+bool LimitProof::shows_no_factor(const CollapseMotion& collapse) const {
+  const auto& reference = truss_.reference;
+  const auto largest = std::ranges::max_element(reference, std::less<Dyadic>(), absolute);
+  if (!is_admissible(collapse.load) || largest == reference.end() || largest->sign() == 0)
+    return false;
+  auto u = corrected_motion(collapse, truss_, true);
+  Dyadic work;
+  for (std::size_t e = 0; e < u.size(); ++e) {
+    work = work + reference[e] * u[e];
+    u[e] = u[e] * *largest;
+  }
+  auto& changed = u[static_cast<std::size_t>(largest - reference.begin())];
+  changed = changed - work;
+  if (excess(collapse, u).sign() < 0) return true;
+  for (auto& each : u) each = Dyadic() - each;
+  return excess(collapse, u).sign() < 0;
 }
 
 std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) const {
-  const auto& certificate = certificate_;
-  const auto m = certificate.uncertain.size();
-  Stress stress{node.forces, std::vector<Dyadic>(certificate.members()),
-                std::vector<Dyadic>(certificate.displacements)};
+  const auto m = truss_.uncertain.size();
+  Stress stress{node.forces, std::vector<Dyadic>(truss_.members()),
+                std::vector<Dyadic>(truss_.displacements())};
   std::vector<Dyadic> share_of(m);
   Dyadic value(node.factor);
   for (const auto& [c, share] : node.shares) {
-    const auto& cut = certificate.cuts[c];
+    const auto& cut = cuts_[c];
     const Dyadic mu(share);
     share_of[cut.column] = share_of[cut.column] + mu;
     value.add_product(mu, -std::abs(cut.factor));
@@ -169,11 +174,10 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
     }
   }
   // f_D + sum over decided signs of s (alpha_j w + nu) d + lambda f_R - B q
-  std::vector<Dyadic> load;
-  for (const auto& dead : truss_.dead) load.push_back(dead.value);
+  auto load = truss_.dead;
   for (std::size_t j = 0; j < m; ++j) {
     const auto& [weight, direction] = uncertain_[j];
-    const Dyadic needed = Dyadic(certificate.alpha[j]) * Dyadic(weight);
+    const Dyadic needed = Dyadic(truss_.alpha[j]) * Dyadic(weight);
     if (node.signs[j] == 0) {
       if (share_of[j] < needed) return "the cuts of a column have too small a share";
     } else {
@@ -187,83 +191,64 @@ std::variant<mpq_class, std::string> LimitProof::lower(const LimitNode& node) co
   for (std::size_t i = 0; i < node.forces.size(); ++i) forces.emplace_back(i, node.forces[i]);
   const auto own = defect(forces, std::move(load), node.factor);
   for (std::size_t e = 0; e < own.size(); ++e) stress.defects[e] = stress.defects[e] + own[e];
-  const auto slack = slack_of(stress);
-  if (const auto* why = std::get_if<std::string>(&slack)) return *why;
-  if (auto why = yielding(std::get<std::vector<double>>(slack), stress.defects)) return *why;
-  return value.rational();
+  return proved(value, stress, std::vector<bool>(truss_.members(), true));
 }
 
 std::variant<mpq_class, std::string> LimitProof::carried(const StressState& state) const {
-  Stress stress{std::vector<double>(certificate_.members()),
-                std::vector<Dyadic>(certificate_.members()),
-                std::vector<Dyadic>(certificate_.displacements)};
-  std::vector<bool> stressed(certificate_.members());
+  Stress stress{std::vector<double>(truss_.members()), std::vector<Dyadic>(truss_.members()),
+                std::vector<Dyadic>(truss_.displacements())};
+  std::vector<bool> stressed(truss_.members());
   for (const auto member : state.support) stressed[member] = true;
   Dyadic value;
   for (std::size_t k = 0; k < state.columns.size(); ++k) {
     const auto& [factor, forces] = state.columns[k];
-    std::vector<Dyadic> load(certificate_.displacements);
+    auto load = k == 0 ? truss_.dead : std::vector<Dyadic>(truss_.displacements());
     Sparse within;
     for (const auto& force : forces) {
       if (stressed[force.first]) within.push_back(force);
     }
     if (k == 0) {
       value = Dyadic(factor);
-      for (std::size_t e = 0; e < load.size(); ++e) load[e] = truss_.dead[e].value;
       for (const auto& [i, force] : within) stress.forces[i] = force;
     } else {
       value = value - absolute(Dyadic(factor));
-      const Dyadic half_width(certificate_.alpha[k - 1]);
-      for (const auto& [e, each] : certificate_.uncertain[k - 1])
-        load[e].add_product(half_width, each);
+      const Dyadic half_width(truss_.alpha[k - 1]);
+      for (const auto& [e, each] : truss_.uncertain[k - 1]) load[e].add_product(half_width, each);
       for (const auto& [i, force] : within)
         stress.taken[i] = stress.taken[i] + absolute(Dyadic(force));
     }
     const auto own = defect(within, std::move(load), factor);
     for (std::size_t e = 0; e < own.size(); ++e) stress.defects[e] = stress.defects[e] + own[e];
   }
-  auto slack = slack_of(stress);
-  if (const auto* why = std::get_if<std::string>(&slack)) return *why;
-  auto& of_support = std::get<std::vector<double>>(slack);
-  for (std::size_t i = 0; i < stressed.size(); ++i) {
-    if (!stressed[i]) of_support[i] = 0;
-  }
-  if (auto why = yielding(of_support, stress.defects)) return *why;
-  return value.rational();
+  return proved(value, stress, stressed);
 }
 
-// Slack of each member beside its force, or the name of a member that yields.
-std::variant<std::vector<double>, std::string> LimitProof::slack_of(const Stress& stress) const {
+// The factor, if the slack that members have beside their forces is enough for the forces against
+// the defects; otherwise the reason why it is not.
+// @param stressed members outside the support have no slack
+std::variant<mpq_class, std::string> LimitProof::proved(const Dyadic& factor, const Stress& stress,
+                                                        const std::vector<bool>& stressed) const {
   std::vector<double> slack;
-  for (std::size_t i = 0; i < certificate_.members(); ++i) {
+  for (std::size_t i = 0; i < truss_.members(); ++i) {
     const Dyadic force(stress.forces[i]);
-    const Dyadic tension = Dyadic(certificate_.tension[i]) - force - stress.taken[i];
-    const Dyadic compression = Dyadic(certificate_.compression[i]) + force - stress.taken[i];
+    const Dyadic tension = Dyadic(truss_.below.tension[i]) - force - stress.taken[i];
+    const Dyadic compression = Dyadic(truss_.below.compression[i]) + force - stress.taken[i];
     const Dyadic& minimum = tension < compression ? tension : compression;
-    if (minimum.sign() < 0) return name_of(i) + " yields";
-    slack.push_back(double_below(minimum));
+    if (minimum.sign() < 0) return "member " + truss_.names[i] + " yields";
+    slack.push_back(stressed[i] ? double_below(minimum) : 0);
   }
-  return slack;
-}
-
-// The slack must be enough for the forces against the defects, with the errors of f_D.
-// @return the reason if it is not
-std::optional<std::string> LimitProof::yielding(const std::vector<double>& slack,
-                                                const std::vector<Dyadic>& defects) const {
-  std::vector<double> rounded;
-  for (std::size_t e = 0; e < defects.size(); ++e)
-    rounded.push_back(double_above(defects[e] + truss_.dead[e].error));
-  if (are_covered(rounded, slack)) return std::nullopt;
-  const MemberColumns members{certificate_.displacements, certificate_.columns, column_errors_};
-  const auto found = forces_against_defects(members, slack, rounded);
-  if (const auto* why = std::get_if<std::string>(&found)) return *why;
+  std::vector<double> defects;
+  for (const auto& each : stress.defects) defects.push_back(double_above(each));
+  if (are_covered(defects, slack)) return factor.rational();
+  const MemberColumns members{truss_.displacements(), columns_, column_errors_};
+  const auto found = forces_against_defects(members, slack, defects);
+  if (const auto* const why = std::get_if<std::string>(&found)) return *why;
   const auto& against = std::get<std::vector<double>>(found);
   for (std::size_t i = 0; i < slack.size(); ++i) {
-    if (!(against[i] <= slack[i])) {
-      return name_of(i) + " yields under the equilibrium defect";
-    }
+    if (!(against[i] <= slack[i]))
+      return "member " + truss_.names[i] + " yields under the equilibrium defect";
   }
-  return std::nullopt;
+  return factor.rational();
 }
 
 // True if a multiple of the forces against unit defects is within the slack: these are the same for
@@ -275,65 +260,13 @@ bool LimitProof::are_covered(const std::vector<double>& defects,
   if (largest == 0) return true;
   if (!std::isfinite(largest) || std::ranges::any_of(slack, is_zero)) return false;
   if (!unit_forces_)
-    unit_forces_ = forces_against_unit_defects(
-        {certificate_.displacements, certificate_.columns, column_errors_});
+    unit_forces_ = forces_against_unit_defects({truss_.displacements(), columns_, column_errors_});
   if (unit_forces_->empty()) return false;
   for (std::size_t i = 0; i < slack.size(); ++i) {
     // Rounded up.
     if (!((*unit_forces_)[i] * largest * (1 + 0x1p-50) <= slack[i])) return false;
   }
   return true;
-}
-
-// A certificate without a problem file has numbers of members only.
-std::string LimitProof::name_of(std::size_t member) const {
-  if (truss_.members.empty())
-    return "member " + std::to_string(member + 1) + " of the certificate, counted from 1,";
-  return "member " + truss_.members[member];
-}
-
-bool LimitProof::shows_no_factor() const {
-  const auto& reference = truss_.reference;
-  const auto exact = [](const Approximate& load) { return load.error.sign() == 0; };
-  if (!load_is_admissible()) return false;
-  if (certificate_.motion.size() != reference.size() || !std::ranges::all_of(reference, exact)) {
-    return false;
-  }
-  std::vector<mpq_class> motion;
-  for (const auto& u : corrected_motion(certificate_, truss_, true)) motion.push_back(u.rational());
-  const auto largest = std::ranges::max_element(certificate_.reference, {},
-                                                [](double value) { return std::abs(value); });
-  const auto place = static_cast<std::size_t>(largest - certificate_.reference.begin());
-  if (place >= motion.size() || reference[place].value.sign() == 0) return false;
-  mpq_class work = 0;
-  for (std::size_t e = 0; e < motion.size(); ++e) work += reference[e].value.rational() * motion[e];
-  motion[place] -= work / reference[place].value.rational();
-  mpq_class excess = 0;  // dissipation minus work of the dead load
-  for (std::size_t e = 0; e < motion.size(); ++e) {
-    excess += truss_.dead[e].value.rational() * motion[e];
-  }
-  for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
-    for (const auto& [e, each] : certificate_.uncertain[j]) {
-      excess += mpq_class(certificate_.load[j]) * each * motion[e];
-    }
-  }
-  const int sign = sgn(excess);
-  excess = abs(excess);
-  for (std::size_t e = 0; e < motion.size(); ++e) {
-    excess -= truss_.dead[e].error.rational() * abs(motion[e]);
-  }
-  for (std::size_t i = 0; i < certificate_.members(); ++i) {
-    const double tension = certificate_.tension[i];
-    const double compression = certificate_.compression[i];
-    mpq_class elongation = 0;
-    for (const auto& [e, entry] : truss_.columns[i]) {
-      elongation += entry.value.rational() * motion[e];
-      excess -= std::max(tension, compression) * entry.error.rational() * abs(motion[e]);
-    }
-    elongation *= sign;
-    excess -= (elongation < 0 ? compression : tension) * abs(elongation);
-  }
-  return excess > 0;
 }
 
 }  // namespace kusabi::verify

@@ -42,11 +42,12 @@ std::optional<std::string> flaw(std::span<const LimitNode*> nodes, std::vector<b
 
 }  // namespace
 
-std::optional<std::string> flaw_of_sign_cover(const LimitCertificate& certificate) {
-  std::vector<const LimitNode*> nodes;
-  for (const auto& node : certificate.nodes) nodes.push_back(&node);
-  std::vector<bool> decided(certificate.uncertain.size(), false);
-  return nodes.empty() ? of_no_node : flaw(nodes, decided, 0);
+std::optional<std::string> flaw_of_sign_cover(std::span<const LimitNode> nodes,
+                                              std::size_t columns) {
+  std::vector<const LimitNode*> all;
+  for (const auto& node : nodes) all.push_back(&node);
+  std::vector<bool> decided(columns, false);
+  return nodes.empty() ? of_no_node : flaw(all, decided, 0);
 }
 
 }  // namespace kusabi::verify

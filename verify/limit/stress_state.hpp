@@ -1,7 +1,4 @@
-// Stress states that carry every admissible load, in exact arithmetic. A state has member forces
-// and a load factor for the dead load, and a response to each uncertain load: for the load
-// coefficients zeta, forces and factor are those of the dead load plus sum_j (zeta_j / alpha_j)
-// times response j.
+// Stress states that carry every admissible load, in exact arithmetic.
 #pragma once
 
 #include <cstddef>
@@ -14,30 +11,9 @@
 
 #include "support/stop.hpp"
 #include "verify/limit/exact_truss.hpp"
-#include "verify/limit/limit_certificate.hpp"
+#include "verify/limit/truss_certificate.hpp"
 
 namespace kusabi::verify {
-
-/// Forces and factor of one load, in equilibrium up to rounding.
-struct StressColumn {
-  double factor = 0;
-  Sparse forces;
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned /*version*/) {
-    archive& factor& forces;
-  }
-};
-
-struct StressState {
-  std::vector<std::size_t> support;   ///< members that may have forces, ascending
-  std::vector<StressColumn> columns;  ///< of the dead load, then of each uncertain load
-
-  template <class Archive>
-  void serialize(Archive& archive, unsigned /*version*/) {
-    archive& support& columns;
-  }
-};
 
 /// An exact state near a recorded one.
 struct CarriedFactor {

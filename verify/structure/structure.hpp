@@ -22,6 +22,7 @@ struct Bar {
   double axial_stiffness = 0;  ///< E A, force
   double tension = 0;          ///< yield forces, for limit analysis
   double compression = 0;
+  double residual = 0;  ///< in compression after buckling; of a bar that is no strut, `compression`
 };
 
 /// An isoparametric element, fully integrated; the number of its nodes determines its shape.

@@ -9,7 +9,7 @@
 
 #include "engine/outcome.hpp"
 #include "nodes/limit/root/limit_answer.hpp"
-#include "verify/limit/loss_certificate.hpp"
+#include "verify/limit/truss_certificate.hpp"
 
 namespace kusabi::limit {
 
@@ -53,7 +53,7 @@ struct LossAnswer {
   LossCounts counts;
   engine::Status search = engine::Status::solved;  ///< reason of an early end
   /// The proved claims with their evidence, on rank 0; nothing: a bound is not proved.
-  std::optional<verify::LossStatement> statement;
+  std::optional<verify::TrussTheorem> theorem;
 
   [[nodiscard]] bool proved() const { return is_proved(standing); }
 };

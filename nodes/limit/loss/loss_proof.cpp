@@ -1,8 +1,7 @@
-// One certificate, whose yield forces, load and motion are replaced from proof to proof.
+// One truss for all proofs, with strengths divided by the dynamic factor and rounded to the safe side.
 #include "nodes/limit/loss/loss_proof.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -43,19 +42,17 @@ verify::StressState within(verify::StressState state, const std::vector<std::siz
 }  // namespace
 
 LossProof::LossProof(const verify::Structure& truss, const problems::LimitProblem& problem,
-                     const problems::LimitModel& model, double alpha)
-    : problem_(problem),
-      exact_(verify::exact_truss(truss)),
-      intact_(limit_certificate(problem, model, alpha,
-                                {Eigen::VectorXd::Zero(model.uncertain_count()),
-                                 {0, {}, Eigen::VectorXd::Zero(model.free_count())}},
-                                {}, {})),
-      certificate_(intact_) {
-  if (alpha > 0) verify::add_uncertain(intact_.uncertain, intact_.alpha, exact_);
-  if (auto meant = meant_truss(intact_, truss)) {
-    states_.emplace(intact_, *meant);
-    proof_.emplace(certificate_, *std::move(meant));
+                     double alpha, double sudden)
+    : problem_(problem), alpha_(alpha), loaded_(with_loads(truss, problem, alpha)) {
+  if (!loaded_) return;
+  if (alpha == 0) {
+    loaded_->uncertain->clear();
+    loaded_->half_widths.clear();
+    loaded_->load_names.clear();
   }
+  exact_ = verify::exact_truss(*loaded_, sudden);
+  truss_ = verify::limit_truss(*loaded_, sudden);
+  if (truss_) proof_.emplace(*truss_);
 }
 
 // Members with stress may be too few for a proof by enclosures: where coordinates are rounded, they
@@ -64,6 +61,7 @@ LossProof::LossProof(const verify::Structure& truss, const problems::LimitProble
 std::optional<ProvedState> LossProof::proved(verify::StressState state, const IndexSet& basic,
                                              double target, const IndexSet& lost, bool last,
                                              const support::Stop& stop) const {
+  if (!loaded_) return {};
   // The simplex method leaves forces within its tolerance to lost members.
   const auto with_stress = set_of(state.support) - lost;
   const auto all = IndexSet::below(problem_.member_count()) - lost;
@@ -72,8 +70,8 @@ std::optional<ProvedState> LossProof::proved(verify::StressState state, const In
   };
   const auto by_enclosures = [&](const IndexSet& support) {
     use(support);
-    if (!states_ || support::is_requested(stop)) return false;
-    const auto carried = states_->carried(state);
+    if (!proof_ || support::is_requested(stop)) return false;
+    const auto carried = proof_->carried(state);
     const auto* const factor = std::get_if<mpq_class>(&carried);
     return factor != nullptr && *factor >= target;
   };
@@ -99,54 +97,28 @@ std::optional<ProvedState> LossProof::proved(verify::StressState state, const In
   return ProvedState{std::move(support), std::move(state)};
 }
 
-bool LossProof::set(const IndexSet& lost, const Eigen::VectorXd& zeta,
-                    const Eigen::VectorXd& motion) {
-  if (!proof_ || motion.size() != problem_.free_count() || !motion.allFinite()) return false;
-  certificate_.tension.assign(problem_.tension.begin(), problem_.tension.end());
-  certificate_.compression.assign(problem_.compression.begin(), problem_.compression.end());
-  for (const int i : lost) {
-    certificate_.tension[static_cast<std::size_t>(i)] = 0;
-    certificate_.compression[static_cast<std::size_t>(i)] = 0;
-  }
-  for (std::size_t j = 0; j < certificate_.load.size(); ++j) {
-    const double share = zeta.size() == 0 ? 0 : zeta(static_cast<Eigen::Index>(j));
-    certificate_.load[j] = share == 0 ? 0 : std::copysign(certificate_.alpha[j], share);
-  }
-  certificate_.motion.assign(motion.begin(), motion.end());
-  return true;
+std::optional<verify::CollapseMotion> LossProof::collapse(const IndexSet& lost,
+                                                          const Eigen::VectorXd& zeta,
+                                                          const Eigen::VectorXd& motion) const {
+  if (!proof_ || motion.size() != problem_.free_count() || !motion.allFinite()) return {};
+  const Eigen::VectorXd load = alpha_ == 0 ? Eigen::VectorXd() : zeta;
+  return collapse_of(problem_, alpha_, {lost.begin(), lost.end()}, load, motion);
 }
 
 std::optional<double> LossProof::upper(const IndexSet& lost, const Eigen::VectorXd& zeta,
-                                       const Eigen::VectorXd& motion) {
-  if (!set(lost, zeta, motion)) return {};
-  const auto found = proof_->upper();
+                                       const Eigen::VectorXd& motion) const {
+  const auto recorded = collapse(lost, zeta, motion);
+  if (!recorded) return {};
+  const auto found = proof_->upper(*recorded);
   const auto* const value = std::get_if<mpq_class>(&found);
   if (value == nullptr) return {};
   return verify::rounded_up(*value);
 }
 
 bool LossProof::shows_no_factor(const IndexSet& lost, const Eigen::VectorXd& zeta,
-                                const Eigen::VectorXd& motion) {
-  return set(lost, zeta, motion) && proof_->shows_no_factor();
-}
-
-void LossProof::write_loads(bool uncertain, verify::LossStatement& statement) const {
-  auto& truss = statement.truss;
-  auto& columns = truss.uncertain.emplace();
-  truss.half_widths.clear();
-  truss.load_names.clear();
-  if (!uncertain) return;
-  for (std::size_t j = 0; j < certificate_.uncertain.size(); ++j) {
-    auto& column = columns.emplace_back();
-    for (const auto& [e, value] : certificate_.uncertain[j]) {
-      const auto& free = problem_.degrees.free[e];
-      column.push_back(
-          {static_cast<std::size_t>(free.node), static_cast<std::size_t>(free.axis), value});
-    }
-    truss.half_widths.emplace_back(certificate_.alpha[j]);
-    truss.load_names.push_back(certificate_.names[j]);
-  }
-  statement.load = certificate_.load;
+                                const Eigen::VectorXd& motion) const {
+  const auto recorded = collapse(lost, zeta, motion);
+  return recorded && proof_->shows_no_factor(*recorded);
 }
 
 }  // namespace kusabi::limit

@@ -12,10 +12,10 @@
 #include "support/index_set.hpp"
 #include "support/stop.hpp"
 #include "verify/limit/exact_truss.hpp"
-#include "verify/limit/limit_certificate.hpp"
 #include "verify/limit/limit_proof.hpp"
-#include "verify/limit/loss_certificate.hpp"
+#include "verify/limit/limit_truss.hpp"
 #include "verify/limit/stress_state.hpp"
+#include "verify/limit/truss_certificate.hpp"
 #include "verify/structure/structure.hpp"
 
 namespace kusabi::limit {
@@ -33,10 +33,11 @@ struct ProvedState {
 
 class LossProof {
  public:
+  /// @param truss with exact directions, and strengths that are not yet divided by `sudden`
   /// @param alpha in the unit of force; zero: the dead load as given
-  /// @pre problem and model outlive this object @param truss with exact directions
-  LossProof(const verify::Structure& truss, const problems::LimitProblem& problem,
-            const problems::LimitModel& model, double alpha);
+  /// @pre the problem outlives this object
+  LossProof(const verify::Structure& truss, const problems::LimitProblem& problem, double alpha,
+            double sudden);
   LossProof(const LossProof&) = delete;
   LossProof& operator=(const LossProof&) = delete;
   ~LossProof() = default;
@@ -53,28 +54,31 @@ class LossProof {
                                                   const support::Stop& stop) const;
 
   /// Proved upper bound of the load factor without these members; nothing if there is none.
-  /// @param zeta shares of the half-widths, m; empty: the dead load as given
+  /// @param zeta m, of which the signs count; empty: the dead load as given
   /// @param motion n^d, in units
-  std::optional<double> upper(const support::IndexSet& lost, const Eigen::VectorXd& zeta,
-                              const Eigen::VectorXd& motion);
+  [[nodiscard]] std::optional<double> upper(const support::IndexSet& lost,
+                                            const Eigen::VectorXd& zeta,
+                                            const Eigen::VectorXd& motion) const;
 
   /// True if the motion proves that no load factor remains.
-  bool shows_no_factor(const support::IndexSet& lost, const Eigen::VectorXd& zeta,
-                       const Eigen::VectorXd& motion);
+  [[nodiscard]] bool shows_no_factor(const support::IndexSet& lost, const Eigen::VectorXd& zeta,
+                                     const Eigen::VectorXd& motion) const;
 
-  /// Uncertain loads, and the load of the last proof. @param uncertain false: none
-  void write_loads(bool uncertain, verify::LossStatement& statement) const;
+  /// The load and the motion after a loss, as recorded; nothing: no proof is possible.
+  [[nodiscard]] std::optional<verify::CollapseMotion> collapse(const support::IndexSet& lost,
+                                                               const Eigen::VectorXd& zeta,
+                                                               const Eigen::VectorXd& motion) const;
+
+  /// The truss with its loads. @pre a proof is possible
+  [[nodiscard]] const verify::Structure& truss() const { return *loaded_; }
 
  private:
-  bool set(const support::IndexSet& lost, const Eigen::VectorXd& zeta,
-           const Eigen::VectorXd& motion);
-
   const problems::LimitProblem& problem_;
+  double alpha_;
+  std::optional<verify::Structure> loaded_;
   verify::ExactTruss exact_;
-  verify::LimitCertificate intact_;           // without a loss
-  std::optional<verify::LimitProof> states_;  // of intact_; nothing: no proof is possible
-  verify::LimitCertificate certificate_;      // after the loss of the last proof
-  std::optional<verify::LimitProof> proof_;   // of certificate_, with its present yield forces
+  std::optional<verify::LimitTruss> truss_;  // nothing: no proof is possible
+  std::optional<verify::LimitProof> proof_;
 };
 
 }  // namespace kusabi::limit

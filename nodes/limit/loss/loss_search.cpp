@@ -76,7 +76,7 @@ LossSearch::LossSearch(engine::Analysis& analysis, const verify::Structure& trus
       parameters_(parameters),
       alpha_(alpha),
       eligible_(IndexSet::below(problem.member_count())),
-      proof_(truss, problem, model, alpha),
+      proof_(truss, problem, alpha, parameters.sudden),
       remaining_(model, alpha / model.force_unit) {
   for (const int member : parameters.kept) eligible_ -= IndexSet::single(member);
 }
@@ -114,6 +114,10 @@ LossSearch::Known LossSearch::worst_after(const IndexSet& lost) {
   if (alpha_ == 0 || known.status == LoadStatus::not_carried) return known;
   auto problem = problem_;
   auto truss = truss_;
+  for (auto& bar : truss.bars) {
+    bar.tension /= parameters_.sudden;
+    bar.compression /= parameters_.sudden;
+  }
   for (const int i : lost) {
     problem.tension(i) = problem.compression(i) = 0;
     truss.bars[static_cast<std::size_t>(i)].tension = 0;
@@ -333,21 +337,20 @@ verify::LossCover LossSearch::cover() const {
 void LossSearch::record() {
   const bool fatal = answer_.fatal.has_value();
   if (!analysis_.is_first() || !(fatal ? answer_.proved() : is_proved(answer_.ends.upper))) return;
-  auto& statement = answer_.statement.emplace();
-  statement.truss = truss_;
-  statement.sudden = parameters_.sudden;
-  statement.maximum =
-      static_cast<std::size_t>(std::clamp(eligible_.size(), 1, parameters_.maximum));
-  for (const int i : IndexSet::below(problem_.member_count()) - eligible_)
-    statement.kept.push_back(static_cast<std::size_t>(i));
-  statement.lost.assign(worst_.lost.begin(), worst_.lost.end());
-  statement.fatal = fatal;
   const auto& motion = fatal ? answer_.fatal_motion : answer_.collapse->motion;
-  statement.motion.assign(motion.begin(), motion.end());
-  proof_.write_loads(alpha_ > 0, statement);
-  if (!lower_) return;
-  statement.lower = lower_;
-  for (const auto k : cover().needed()) statement.states.push_back(states_[k].state);
+  auto collapse = proof_.collapse(worst_.lost, answer_.zeta, motion);
+  if (!collapse) return;
+  auto& theorem = answer_.theorem.emplace();
+  theorem.truss = proof_.truss();
+  if (fatal) theorem.claim = verify::LimitClaim::none;
+  theorem.losses = static_cast<std::size_t>(std::clamp(eligible_.size(), 1, parameters_.maximum));
+  theorem.sudden = parameters_.sudden;
+  for (const int i : IndexSet::below(problem_.member_count()) - eligible_)
+    theorem.kept.push_back(static_cast<std::size_t>(i));
+  theorem.collapse = *std::move(collapse);
+  if (!lower_ || fatal) return;
+  theorem.lower = *lower_;
+  for (const auto k : cover().needed()) theorem.states.push_back(states_[k].state);
 }
 
 LossAnswer LossSearch::solve() {

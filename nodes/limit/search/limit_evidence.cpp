@@ -4,9 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
-#include <variant>
 
-#include "verify/limit/limit_consistency.hpp"
+#include "verify/limit/truss_consistency.hpp"
 
 namespace kusabi::limit {
 namespace {
@@ -101,46 +100,19 @@ verify::LimitNode Converter::node_of(const ClosedNode& node, const std::vector<s
 
 }  // namespace
 
-verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem,
-                                           const LimitModel& model, double alpha,
-                                           const Worst& worst,
-                                           const std::vector<StaticCut>& root_cuts,
-                                           const std::vector<ClosedNode>& nodes) {
-  verify::LimitCertificate certificate;
-  certificate.displacements = static_cast<std::size_t>(problem.free_count());
-  certificate.tension.assign(problem.tension.begin(), problem.tension.end());
-  certificate.compression.assign(problem.compression.begin(), problem.compression.end());
-  for (int i = 0; i < problem.member_count(); ++i) {
-    auto& column = certificate.columns.emplace_back();
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(problem.equilibrium, i); entry; ++entry) {
-      column.emplace_back(static_cast<std::size_t>(entry.row()), entry.value());
-    }
-  }
-  certificate.dead.assign(problem.dead.begin(), problem.dead.end());
-  certificate.reference.assign(problem.reference.begin(), problem.reference.end());
-  for (const auto& column : problem.uncertain) {
-    auto& load = certificate.uncertain.emplace_back();
-    for (const auto& [degree, value] : column.direction) {
-      load.emplace_back(static_cast<std::size_t>(degree), column.weight * value);
-    }
-    certificate.names.push_back(column.group.empty() ? column.name : column.group);
-  }
-  // Exact: either half-widths or alpha are 1, except on a curve.
-  for (const auto& column : problem.uncertain)
-    certificate.alpha.push_back(alpha * column.half_width);
-  for (Eigen::Index j = 0; j < worst.zeta.size(); ++j) {
-    const double maximum = certificate.alpha[static_cast<std::size_t>(j)];
-    certificate.load.push_back(worst.zeta(j) == 0 ? 0 : std::copysign(maximum, worst.zeta(j)));
-  }
-  for (const double u : problems::motion_in_units(model, worst.collapse.motion)) {
-    certificate.motion.push_back(u);
-  }
+verify::TrussTheorem theorem_of(const problems::LimitProblem& problem, const LimitModel& model,
+                                double alpha, const Worst& worst,
+                                const std::vector<StaticCut>& root_cuts,
+                                const std::vector<ClosedNode>& nodes) {
+  verify::TrussTheorem theorem;
+  theorem.collapse = collapse_of(problem, alpha, {}, worst.zeta,
+                                 problems::motion_in_units(model, worst.collapse.motion));
   std::vector<std::size_t> shared_places;
   std::vector<std::size_t> shared_columns;
   const auto add = [&](const StaticCut& cut, auto& places, auto& columns) {
-    places.push_back(certificate.cuts.size());
+    places.push_back(theorem.cuts.size());
     columns.push_back(static_cast<std::size_t>(cut.column));
-    certificate.cuts.push_back(cut_of(cut, model));
+    theorem.cuts.push_back(cut_of(cut, model));
   };
   for (const auto& cut : root_cuts) add(cut, shared_places, shared_columns);
   const Converter converter(problem, model, alpha);
@@ -148,9 +120,14 @@ verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem
     auto places = shared_places;
     auto columns = shared_columns;
     for (const auto& cut : node.own_cuts) add(cut, places, columns);
-    certificate.nodes.push_back(converter.node_of(node, places, columns));
+    theorem.nodes.push_back(converter.node_of(node, places, columns));
   }
-  return certificate;
+  return theorem;
+}
+
+void of_least_factors(verify::TrussTheorem& theorem) {
+  theorem.claim = verify::LimitClaim::minimum;
+  theorem.truss = verify::with_reversed_reference(std::move(theorem.truss));
 }
 
 verify::LimitNode limit_node(const problems::LimitProblem& problem, const LimitModel& model,
@@ -165,13 +142,37 @@ verify::LimitNode limit_node(const problems::LimitProblem& problem, const LimitM
   return Converter(problem, model, alpha).node_of(node, places, columns);
 }
 
-std::optional<verify::LimitTruss> meant_truss(const verify::LimitCertificate& certificate,
-                                              verify::Structure truss) {
-  truss.half_widths
-      .clear();  // those of the certificate, which on a curve are not those of the file
-  auto found = verify::limit_consistency(certificate, truss);
-  if (auto* const meant = std::get_if<verify::LimitTruss>(&found)) return std::move(*meant);
-  return {};
+verify::CollapseMotion collapse_of(const problems::LimitProblem& problem, double alpha,
+                                   std::vector<std::size_t> lost, const Eigen::VectorXd& zeta,
+                                   const Eigen::VectorXd& motion) {
+  verify::CollapseMotion collapse{std::move(lost), {}, {motion.begin(), motion.end()}};
+  for (Eigen::Index j = 0; j < zeta.size(); ++j) {
+    const double maximum = alpha * problem.uncertain[static_cast<std::size_t>(j)].half_width;
+    collapse.load.push_back(zeta(j) == 0 ? 0 : std::copysign(maximum, zeta(j)));
+  }
+  return collapse;
+}
+
+std::optional<verify::Structure> with_loads(verify::Structure truss,
+                                            const problems::LimitProblem& problem, double alpha) {
+  auto file = truss;
+  file.half_widths.clear();  // on a curve those of the search are not those of the file
+  truss.uncertain.emplace();
+  truss.half_widths.clear();
+  truss.load_names.clear();
+  for (const auto& column : problem.uncertain) {
+    auto& load = truss.uncertain->emplace_back();
+    for (const auto& [degree, value] : column.direction) {
+      const auto& free = problem.degrees.free[static_cast<std::size_t>(degree)];
+      load.push_back({static_cast<std::size_t>(free.node), static_cast<std::size_t>(free.axis),
+                      column.weight * value});
+    }
+    // Exact: either half-widths or alpha are 1, except on a curve.
+    truss.half_widths.emplace_back(alpha * column.half_width);
+    truss.load_names.push_back(column.group.empty() ? column.name : column.group);
+  }
+  if (verify::uncertain_difference(truss, file)) return {};
+  return truss;
 }
 
 }  // namespace kusabi::limit

@@ -1,4 +1,4 @@
-// Conversion of the solver's scaled results to a certificate in the units of the problem.
+// Conversion of the solver's scaled results to theorems in the units of the problem.
 #pragma once
 
 #include <optional>
@@ -7,30 +7,36 @@
 
 #include "nodes/limit/search/sign_tree.hpp"
 #include "problems/limit/limit_problem.hpp"
-#include "verify/limit/limit_certificate.hpp"
-#include "verify/limit/limit_proof.hpp"
+#include "verify/limit/truss_certificate.hpp"
 #include "verify/structure/structure.hpp"
 
 namespace kusabi::limit {
 
+/// The evidence of a theorem on the largest factors, without its truss.
 /// @param root_cuts the cuts common to all nodes
 /// @param alpha in the unit of force
-verify::LimitCertificate limit_certificate(const problems::LimitProblem& problem,
-                                           const problems::LimitModel& model, double alpha,
-                                           const Worst& worst,
-                                           const std::vector<StaticCut>& root_cuts,
-                                           const std::vector<ClosedNode>& nodes);
+verify::TrussTheorem theorem_of(const problems::LimitProblem& problem,
+                                const problems::LimitModel& model, double alpha, const Worst& worst,
+                                const std::vector<StaticCut>& root_cuts,
+                                const std::vector<ClosedNode>& nodes);
 
-/// A node of a certificate that has these cuts, in this order, all of them the node's.
+/// Makes a theorem on the largest factors for the opposite reference load one on least factors.
+void of_least_factors(verify::TrussTheorem& theorem);
+
+/// A node of a theorem that has these cuts, in this order, all of them the node's.
 /// @param node with shares `mu` of `cuts`
 verify::LimitNode limit_node(const problems::LimitProblem& problem,
                              const problems::LimitModel& model, double alpha,
                              std::span<const StaticCut> cuts, const ClosedNode& node);
 
-/// The truss with its exact directions and loads, and the half-widths of the certificate. Nothing
-/// if the certificate is not one of this truss, so that its claims are not proved: a direction is
-/// undefined (a bar of length almost zero).
-std::optional<verify::LimitTruss> meant_truss(const verify::LimitCertificate& certificate,
-                                              verify::Structure truss);
+/// @param zeta m, of which the signs count @param motion n^d, in units
+verify::CollapseMotion collapse_of(const problems::LimitProblem& problem, double alpha,
+                                   std::vector<std::size_t> lost, const Eigen::VectorXd& zeta,
+                                   const Eigen::VectorXd& motion);
+
+/// The truss with the uncertain loads of the problem, in its order, and with the half-widths of the
+/// search. Nothing if these loads are not those of the truss.
+std::optional<verify::Structure> with_loads(verify::Structure truss,
+                                            const problems::LimitProblem& problem, double alpha);
 
 }  // namespace kusabi::limit

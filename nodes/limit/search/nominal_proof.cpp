@@ -12,8 +12,8 @@
 #include "nodes/limit/root/fixed_shares.hpp"
 #include "nodes/limit/search/limit_evidence.hpp"
 #include "nodes/limit/search/proved_ends.hpp"
-#include "verify/limit/limit_consistency.hpp"
 #include "verify/limit/limit_proof.hpp"
+#include "verify/limit/truss_consistency.hpp"
 
 namespace kusabi::limit {
 namespace {
@@ -29,7 +29,7 @@ struct Known {
   support::Bracket bracket;
   /// Width of the narrowest bracket by one model, and its evidence; infinity: there is none.
   double width = linear::infinity;
-  verify::LimitCertificate certificate;
+  verify::TrussTheorem theorem;
 
   void add(ProvedEnds&& found);
 };
@@ -41,24 +41,23 @@ void Known::add(ProvedEnds&& found) {
   if (ends.upper && !(bracket.at_most() <= ends.upper->value)) bracket.upper = ends.upper;
   if (!(ends.width() < width)) return;
   width = ends.width();
-  certificate = std::move(found.certificate);
+  theorem = std::move(found.theorem);
 }
 
 // Without a dead load factor zero is carried without any force, exactly: no margin is needed.
-void prove_zero(const verify::Structure& truss, ProvedEnds& proved) {
-  auto& [ends, certificate] = proved;
-  if (ends.at_least() >= 0) return;
-  const auto is_zero = [](double load) { return load == 0; };
-  if (!std::ranges::all_of(certificate.dead, is_zero)) return;
+void prove_zero(ProvedEnds& proved) {
+  auto& [ends, theorem] = proved;
+  if (ends.at_least() >= 0 || !theorem.truss.uncertain) return;
+  const auto truss = verify::limit_truss(theorem.truss);
+  const auto is_zero = [](const verify::Dyadic& load) { return load.sign() == 0; };
+  if (!truss || !std::ranges::all_of(truss->dead, is_zero)) return;
   verify::LimitNode unstressed;
-  unstressed.signs.resize(certificate.uncertain.size());
-  unstressed.forces.resize(certificate.members());
-  unstressed.one_sided.resize(certificate.uncertain.size());
-  auto meant = meant_truss(certificate, truss);
-  if (!meant) return;
-  const auto lower = verify::LimitProof(certificate, *std::move(meant)).lower(unstressed);
+  unstressed.signs.resize(truss->uncertain.size());
+  unstressed.forces.resize(truss->members());
+  unstressed.one_sided.resize(truss->uncertain.size());
+  const auto lower = verify::LimitProof(*truss).lower(unstressed);
   if (!std::holds_alternative<mpq_class>(lower)) return;
-  certificate.nodes = {std::move(unstressed)};
+  theorem.nodes = {std::move(unstressed)};
   ends.lower = support::Bound{0, support::Standing::proved};
 }
 
@@ -75,7 +74,7 @@ ProvedEnds proved_largest(const verify::Structure& truss, const problems::LimitP
   const Worst nominal{Eigen::VectorXd::Zero(model.uncertain_count()), found.collapse};
   auto proved =
       proved_ends({truss, problem, model, 0, nominal, {}, {std::move(node)}, found.basis}, again);
-  prove_zero(truss, proved);
+  prove_zero(proved);
   return proved;
 }
 
@@ -127,13 +126,13 @@ NominalProof proof_in_model(RootSearch& search, const verify::Structure& truss, 
   return proof;
 }
 
-std::vector<verify::LimitStatement> statements(BothEnds known) {
-  std::vector<verify::LimitStatement> all;
-  for (auto& [claim, end] : {std::pair(verify::LimitClaim::largest, &known.largest),
-                             std::pair(verify::LimitClaim::minimum, &known.opposite)}) {
+std::vector<verify::TrussTheorem> theorems(BothEnds known) {
+  std::vector<verify::TrussTheorem> all;
+  for (auto* const end : {&known.largest, &known.opposite}) {
     if (!std::isfinite(end->width)) break;
-    all.push_back({{}, claim, std::move(end->certificate)});
+    all.push_back(std::move(end->theorem));
   }
+  if (all.size() == 2) of_least_factors(all.back());
   return all;
 }
 
@@ -148,7 +147,7 @@ NominalProof prove_nominal(RootSearch& search, const verify::Structure& truss) {
     if (!more || search.set_up(*std::move(more)) != LoadStatus::collapses) break;
     proof = proof_in_model(search, truss, known);
   }
-  proof.statements = statements(std::move(known));
+  proof.theorems = theorems(std::move(known));
   if (search.model().max_yield != model.max_yield) search.set_up(model);
   return proof;
 }

@@ -7,7 +7,7 @@
 
 #include "nodes/limit/root/limit_answer.hpp"
 #include "nodes/limit/root/root_search.hpp"
-#include "verify/limit/limit_certificate.hpp"
+#include "verify/limit/truss_certificate.hpp"
 #include "verify/structure/structure.hpp"
 
 namespace kusabi::limit {
@@ -15,8 +15,8 @@ namespace kusabi::limit {
 struct NominalProof {
   NominalFactors factors;  ///< on every rank
   LimitCollapse collapse;  ///< at the largest factor, with its least one
-  /// The proved claims on rank 0: none on the least factor without one on the largest.
-  std::vector<verify::LimitStatement> statements;
+  /// The proved theorems on rank 0: none on the least factor without one on the largest.
+  std::vector<verify::TrussTheorem> theorems;
 };
 
 /// Every rank makes the same call. @pre search.is_set_up(), and is again

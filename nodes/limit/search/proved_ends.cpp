@@ -30,10 +30,10 @@ double lower_end(const verify::LimitProof& proof, const verify::LimitNode& node)
   return value == nullptr ? -infinite() : verify::rounded_down(*value);
 }
 
-verify::LimitCertificate certificate_of(const LimitEvidence& evidence,
-                                        const std::vector<ClosedNode>& nodes) {
-  return limit_certificate(evidence.problem, evidence.model, evidence.alpha, evidence.worst,
-                           evidence.cuts, nodes);
+verify::TrussTheorem theorem_for(const LimitEvidence& evidence,
+                                 const std::vector<ClosedNode>& nodes) {
+  return theorem_of(evidence.problem, evidence.model, evidence.alpha, evidence.worst, evidence.cuts,
+                    nodes);
 }
 
 /// A way to compute a proof.
@@ -57,14 +57,14 @@ std::vector<Attempt> attempts(bool is_corner) {
 
 /// The proofs of a node with cuts of its own.
 struct WithOwnCuts {
-  verify::LimitCertificate certificate;
+  verify::TrussTheorem theorem;
   verify::LimitProof proof;
 
   WithOwnCuts(const LimitEvidence& evidence, const verify::LimitTruss& truss,
               const std::vector<StaticCut>& cuts)
-      : certificate(limit_certificate(evidence.problem, evidence.model, evidence.alpha,
-                                      evidence.worst, cuts, {})),
-        proof(certificate, truss) {}
+      : theorem(
+            theorem_of(evidence.problem, evidence.model, evidence.alpha, evidence.worst, cuts, {})),
+        proof(truss, theorem.cuts) {}
 };
 
 // Replaces the proof of a node by one with a larger margin, if its bound is better.
@@ -117,21 +117,22 @@ ProvedEnds proved_ends(LimitEvidence evidence, bool again) {
     node.forces.resize(static_cast<std::size_t>(evidence.model.member_count()));
   }
   ProvedEnds result;
-  auto& [ends, certificate] = result;
-  certificate = certificate_of(evidence, nodes);
-  const auto meant = meant_truss(certificate, evidence.truss);
+  auto& [ends, theorem] = result;
+  auto loaded = with_loads(evidence.truss, evidence.problem, evidence.alpha);
+  const auto meant = loaded ? verify::limit_truss(*loaded) : std::nullopt;
   if (!meant) return result;
   const auto& truss = *meant;
+  theorem = theorem_for(evidence, nodes);
   bool changed = false;
   {
-    const verify::LimitProof proof(certificate, truss);
-    const auto upper = proof.upper();
+    const verify::LimitProof proof(truss, theorem.cuts);
+    const auto upper = proof.upper(theorem.collapse);
     if (const auto* value = std::get_if<mpq_class>(&upper)) {
       ends.upper = support::Bound{verify::rounded_up(*value), support::Standing::proved};
     }
     double minimum = infinite();
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-      double shown = has_proof[k] ? lower_end(proof, certificate.nodes[k]) : -infinite();
+      double shown = has_proof[k] ? lower_end(proof, theorem.nodes[k]) : -infinite();
       const double wanted =
           std::min(ends.at_most(), evidence.lower) - 2 * closed_gap * evidence.model.factor_unit;
       if (again && shown < wanted) {
@@ -142,11 +143,13 @@ ProvedEnds proved_ends(LimitEvidence evidence, bool again) {
       }
       minimum = std::min(minimum, shown);
     }
-    if (std::isfinite(minimum) && !verify::flaw_of_sign_cover(certificate)) {
+    if (std::isfinite(minimum) &&
+        !verify::flaw_of_sign_cover(theorem.nodes, truss.uncertain.size())) {
       ends.lower = support::Bound{minimum, support::Standing::proved};
     }
   }
-  if (changed) certificate = certificate_of(evidence, nodes);
+  if (changed) theorem = theorem_for(evidence, nodes);
+  theorem.truss = *std::move(loaded);
   return result;
 }
 
@@ -154,26 +157,31 @@ std::optional<double> proved_upper(const verify::Structure& truss,
                                    const problems::LimitProblem& problem,
                                    const problems::LimitModel& model, double alpha,
                                    const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion) {
-  const auto evidence = limit_certificate(problem, model, alpha, {zeta, {0, {}, motion}}, {}, {});
-  auto meant = meant_truss(evidence, truss);
+  const auto loaded = with_loads(truss, problem, alpha);
+  const auto meant = loaded ? verify::limit_truss(*loaded) : std::nullopt;
   if (!meant) return {};
-  const auto upper = verify::LimitProof(evidence, *std::move(meant)).upper();
+  const auto collapse =
+      collapse_of(problem, alpha, {}, zeta, problems::motion_in_units(model, motion));
+  const auto upper = verify::LimitProof(*meant).upper(collapse);
   const auto* const value = std::get_if<mpq_class>(&upper);
   if (value == nullptr) return {};
   return verify::rounded_up(*value);
 }
 
-std::optional<verify::LimitCertificate> evidence_of_no_factor(const verify::Structure& truss,
-                                                              const problems::LimitProblem& problem,
-                                                              const problems::LimitModel& model,
-                                                              double alpha,
-                                                              const Eigen::VectorXd& zeta,
-                                                              const Eigen::VectorXd& motion) {
+std::optional<verify::TrussTheorem> evidence_of_no_factor(const verify::Structure& truss,
+                                                          const problems::LimitProblem& problem,
+                                                          const problems::LimitModel& model,
+                                                          double alpha, const Eigen::VectorXd& zeta,
+                                                          const Eigen::VectorXd& motion) {
   if (motion.size() != model.free_count() || !motion.allFinite()) return {};
-  auto evidence = limit_certificate(problem, model, alpha, {zeta, {0, {}, motion}}, {}, {});
-  auto meant = meant_truss(evidence, truss);
-  if (!meant || !verify::LimitProof(evidence, *std::move(meant)).shows_no_factor()) return {};
-  return evidence;
+  auto loaded = with_loads(truss, problem, alpha);
+  const auto meant = loaded ? verify::limit_truss(*loaded) : std::nullopt;
+  if (!meant) return {};
+  verify::TrussTheorem theorem{.truss = *std::move(loaded), .claim = verify::LimitClaim::none};
+  theorem.collapse =
+      collapse_of(problem, alpha, {}, zeta, problems::motion_in_units(model, motion));
+  if (!verify::LimitProof(*meant).shows_no_factor(theorem.collapse)) return {};
+  return theorem;
 }
 
 }  // namespace kusabi::limit

@@ -1,5 +1,5 @@
 // Proof of the lower and upper bound of a worst case by the verifier, in exact arithmetic and from
-// the evidence of a certificate. All bounds printed as proved come from here.
+// the evidence of a theorem. All bounds printed as proved come from here.
 #pragma once
 
 #include <limits>
@@ -9,8 +9,7 @@
 #include "nodes/limit/root/limit_answer.hpp"
 #include "nodes/limit/search/sign_tree.hpp"
 #include "problems/limit/limit_problem.hpp"
-#include "verify/limit/limit_certificate.hpp"
-#include "verify/limit/limit_proof.hpp"
+#include "verify/limit/truss_certificate.hpp"
 #include "verify/structure/structure.hpp"
 
 namespace kusabi::limit {
@@ -31,8 +30,8 @@ struct LimitEvidence {
 
 /// The proved bounds with their evidence.
 struct ProvedEnds {
-  support::Bracket ends;  ///< in the unit of the load factor; what is not proved is open
-  verify::LimitCertificate certificate;
+  support::Bracket ends;         ///< in the unit of the load factor; what is not proved is open
+  verify::TrussTheorem theorem;  ///< on the largest factors, of this truss
 };
 
 /// Gap of the scaled factor up to which the result counts as an answer: a margin for a proof costs
@@ -51,14 +50,13 @@ std::optional<double> proved_upper(const verify::Structure& truss,
                                    const problems::LimitModel& model, double alpha,
                                    const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion);
 
-/// The evidence that a load has no factor; nothing if the motion does not prove it.
+/// The theorem that a load has no factor; nothing if the motion does not prove it.
 /// @param alpha in the unit of force @param zeta m: zero, or of size alpha each
 /// @param motion n^d, scaled as in `model` like zeta
-std::optional<verify::LimitCertificate> evidence_of_no_factor(const verify::Structure& truss,
-                                                              const problems::LimitProblem& problem,
-                                                              const problems::LimitModel& model,
-                                                              double alpha,
-                                                              const Eigen::VectorXd& zeta,
-                                                              const Eigen::VectorXd& motion);
+std::optional<verify::TrussTheorem> evidence_of_no_factor(const verify::Structure& truss,
+                                                          const problems::LimitProblem& problem,
+                                                          const problems::LimitModel& model,
+                                                          double alpha, const Eigen::VectorXd& zeta,
+                                                          const Eigen::VectorXd& motion);
 
 }  // namespace kusabi::limit

@@ -99,14 +99,14 @@ void WorstCaseSearch::prove(const RootResult& root, std::vector<ClosedNode> node
     const bool again = worst.search == engine::Status::solved && !enough;
     const bool any =
         again || !nodes.front().forces.empty();  // otherwise only the upper bound remains
-    auto [ends, certificate] = proved_ends(
+    auto [ends, theorem] = proved_ends(
         {truss_, search_.problem(), model(), alpha(), *root.worst,
          any ? root.cuts : std::vector<StaticCut>(), std::move(nodes), root.nominal_basis,
          of_a_tree || !search_.splits() ? std::numeric_limits<double>::infinity()
                                         : root.lower * unit},
         again);
-    if (enough) certificate.nodes.clear();
-    if (ends.upper && (ends.lower || enough)) certificate_ = std::move(certificate);
+    if (enough) theorem.nodes.clear();
+    if (ends.upper && (ends.lower || enough)) theorem_ = std::move(theorem);
     // Proofs of nodes beyond the gap depend on the incumbent when they were closed, and so on the
     // number of ranks; those of corners do not.
     const bool rounded = of_a_tree && !only_corners;
@@ -126,8 +126,8 @@ void WorstCaseSearch::prove(const RootResult& root, std::vector<ClosedNode> node
 // @param zeta scaled, as the motion
 bool WorstCaseSearch::prove_no_factor(const Eigen::VectorXd& zeta, const Eigen::VectorXd& motion,
                                       LimitWorstCase& worst) {
-  certificate_ = evidence_of_no_factor(truss_, search_.problem(), model(), alpha(), zeta, motion);
-  if (!certificate_) return false;
+  theorem_ = evidence_of_no_factor(truss_, search_.problem(), model(), alpha(), zeta, motion);
+  if (!theorem_) return false;
   worst.status = RootStatus::not_carried;
   worst.ends = {};
   worst.zeta = zeta * model().force_unit;

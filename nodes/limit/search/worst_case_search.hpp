@@ -12,7 +12,7 @@
 #include "nodes/limit/root/root_search.hpp"
 #include "nodes/limit/search/sign_tree.hpp"
 #include "nodes/limit/search/zero_one_worst.hpp"
-#include "verify/limit/limit_certificate.hpp"
+#include "verify/limit/truss_certificate.hpp"
 #include "verify/structure/structure.hpp"
 
 namespace kusabi::limit {
@@ -48,7 +48,7 @@ class WorstCaseSearch {
 
   /// The evidence of both bounds of the last one, if both are proved, on rank 0; or that some load
   /// has no factor.
-  [[nodiscard]] std::optional<verify::LimitCertificate>& certificate() { return certificate_; }
+  [[nodiscard]] std::optional<verify::TrussTheorem>& theorem() { return theorem_; }
 
  private:
   LimitWorstCase by_static_cuts();
@@ -68,7 +68,7 @@ class WorstCaseSearch {
   const LimitParameters& parameters_;
   const verify::Structure& truss_;
   std::optional<ZeroOneStart> start_;
-  std::optional<verify::LimitCertificate> certificate_;
+  std::optional<verify::TrussTheorem> theorem_;
 };
 
 }  // namespace kusabi::limit

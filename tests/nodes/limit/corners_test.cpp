@@ -36,12 +36,11 @@ Structure with_opposite_reference(Structure truss) {
 }
 
 // Expects one proved node for each corner, and bounds that meet at `minimum`.
-void expect_all_corners(const verify::LimitStatement& statement, const Structure& truss,
+void expect_all_corners(const verify::TrussTheorem& theorem, const Structure& truss,
                         double minimum) {
-  const auto& certificate = statement.evidence;
-  EXPECT_TRUE(certificate.cuts.empty());
-  EXPECT_EQ(certificate.nodes.size(), std::size_t{1} << certificate.uncertain.size());
-  const auto claim = shown(certificate, truss);
+  EXPECT_TRUE(theorem.cuts.empty());
+  EXPECT_EQ(theorem.nodes.size(), std::size_t{1} << theorem.truss.uncertain->size());
+  const auto claim = shown(theorem, truss);
   EXPECT_EQ(claim.why, "");
   EXPECT_NEAR(claim.lower, minimum, near);
   EXPECT_NEAR(claim.upper, minimum, near);
@@ -65,7 +64,7 @@ TEST(Corners, HaveTheFactorsOfAllVertices) {
     const auto minimum = plain.min_over_corners(alpha);
     if (!minimum) {
       EXPECT_EQ(worst.status, RootStatus::not_carried);
-      EXPECT_EQ(found.statements.at(0).claim, verify::LimitClaim::none);
+      EXPECT_EQ(found.theorems.at(0).claim, verify::LimitClaim::none);
       ++not_carried;
       continue;
     }
@@ -77,9 +76,9 @@ TEST(Corners, HaveTheFactorsOfAllVertices) {
     const auto interval = guaranteed_interval(found.answer);
     EXPECT_NEAR(interval.minimum.at_least(), -least, near);
     EXPECT_NEAR(interval.minimum.at_most(), -least, near);
-    ASSERT_EQ(found.statements.size(), 2U);
-    expect_all_corners(found.statements[0], truss, *minimum);
-    expect_all_corners(found.statements[1], opposite, least);
+    ASSERT_EQ(found.theorems.size(), 2U);
+    expect_all_corners(found.theorems[0], truss, *minimum);
+    expect_all_corners(found.theorems[1], truss, least);
     ++compared;
   }
   EXPECT_GE(compared, 40U);
@@ -125,13 +124,13 @@ TEST(Corners, OfEqualFactorsAreProved) {
   const auto found = findings(truss, {.alpha = 0.5, .corners = Corners::always});
   EXPECT_NEAR(found.answer.worst->ends.at_most(), 2, 1e-9);
   EXPECT_TRUE(found.answer.whole());
-  expect_all_corners(found.statements.at(0), truss, 2);
+  expect_all_corners(found.theorems.at(0), truss, 2);
 }
 
 TEST(Corners, AreNotProvedByAForgedCertificate) {
   const auto truss = problems::load_structure(KUSABI_SOURCE_DIR "/examples/gust.toml");
   const auto found = findings(truss, {.alpha = 0.5, .corners = Corners::always});
-  const auto& honest = found.statements.at(0).evidence;
+  const auto& honest = found.theorems.at(0);
   ASSERT_EQ(shown(honest, truss).why, "");
   for (std::size_t missing = 0; missing < honest.nodes.size(); ++missing) {
     auto forged = honest;
@@ -169,9 +168,9 @@ TEST(Corners, BoundTheWorstCaseWhereTheSearchWasStopped) {
       EXPECT_GE(worst.ends.at_most(), *minimum - near);
       EXPECT_LE(worst.ends.at_least(), *minimum + near);
       EXPECT_FALSE(found.answer.whole());
-      for (const auto& statement : found.statements) {
-        if (statement.claim != verify::LimitClaim::largest) continue;
-        const auto claim = shown(statement.evidence, truss);
+      for (const auto& theorem : found.theorems) {
+        if (theorem.claim != verify::LimitClaim::largest) continue;
+        const auto claim = shown(theorem, truss);
         EXPECT_LE(claim.lower, *minimum + near);
         EXPECT_GE(claim.upper, *minimum - near);
       }

@@ -54,12 +54,12 @@ TEST(HalfWidths, OfTheFileApplyToTheirParameters) {
     const auto minimum = PlainTruss(all).min_over_corners(1);
     if (!minimum) continue;
     const auto& answer = findings.answer;
-    ASSERT_TRUE(answer.worst && !findings.statements.empty());
-    const auto& certificate = findings.statements.front().evidence;
+    ASSERT_TRUE(answer.worst && !findings.theorems.empty());
+    const auto& theorem = findings.theorems.front();
     EXPECT_TRUE(answer.whole());
     EXPECT_NEAR(answer.worst->ends.at_most(), *minimum, near);
     for (const auto* file : {&truss, &all}) {
-      const auto claim = test::shown(certificate, *file);
+      const auto claim = test::shown(theorem, *file);
       EXPECT_EQ(claim.why, "");
       EXPECT_LE(claim.lower, *minimum + near);
       EXPECT_NEAR(claim.lower, claim.upper, near);
@@ -67,10 +67,10 @@ TEST(HalfWidths, OfTheFileApplyToTheirParameters) {
     // The file, or the certificate, has another half-width.
     auto other = truss;
     other.uncertain->front().half_width = 1.125 * *parameters.front().half_width;
-    EXPECT_THAT(test::shown(certificate, other).why, HasSubstr("half-width"));
-    for (std::size_t j = 0; j < certificate.alpha.size(); ++j) {
-      auto wider = certificate;
-      wider.alpha[j] *= 1.5;
+    EXPECT_THAT(test::shown(theorem, other).why, HasSubstr("half-width"));
+    for (std::size_t j = 0; j < theorem.truss.half_widths.size(); ++j) {
+      auto wider = theorem;
+      *wider.truss.half_widths[j] *= 1.5;
       EXPECT_NE(test::shown(wider, all).why, "");
     }
     ++compared;
@@ -155,8 +155,8 @@ force = [[-0.25, 1.75], 0]
   const auto [findings, problem] = found(truss, {});
   EXPECT_NEAR(findings.answer.nominal->factor, 4.25, 1e-9);
   EXPECT_NEAR(findings.answer.worst->ends.at_most(), 3.25, 1e-9);
-  ASSERT_FALSE(findings.statements.empty());
-  EXPECT_EQ(test::shown(findings.statements.front().evidence, truss).why, "");
+  ASSERT_FALSE(findings.theorems.empty());
+  EXPECT_EQ(test::shown(findings.theorems.front(), truss).why, "");
   const auto again = problems::read_structure(problems::structure_text(truss), "again");
   EXPECT_EQ(problems::limit_problem(again).fingerprint, problems::limit_problem(truss).fingerprint);
 }

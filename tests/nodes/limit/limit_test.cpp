@@ -84,17 +84,41 @@ struct Solved {
   }
 };
 
+/// The truss whose direction cosines and loads are exactly those of the solver.
+verify::LimitTruss truss_in_doubles(const LimitProblem& problem, double alpha) {
+  using verify::Dyadic;
+  verify::LimitTruss truss;
+  for (int i = 0; i < problem.member_count(); ++i) {
+    auto& column = truss.columns.emplace_back();
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(problem.equilibrium, i); entry; ++entry)
+      column.emplace_back(entry.row(), verify::Approximate{Dyadic(entry.value()), {}});
+  }
+  for (const double load : problem.dead) truss.dead.emplace_back(load);
+  for (const double load : problem.reference) truss.reference.emplace_back(load);
+  for (const auto& column : problem.uncertain) {
+    auto& load = truss.uncertain.emplace_back();
+    for (const auto& [degree, value] : column.direction)
+      load.emplace_back(degree, column.weight * value);
+    truss.alpha.push_back(alpha * column.half_width);
+  }
+  truss.below = truss.above = {{problem.tension.begin(), problem.tension.end()},
+                               {problem.compression.begin(), problem.compression.end()}};
+  truss.names.resize(truss.members());
+  return truss;
+}
+
 /// The exact bracket of a solved worst case.
 void expect_proved(const Solved& solved, double alpha) {
-  const auto certificate = limit_certificate(solved.problem, solved.model, alpha,
-                                             *solved.root.worst, solved.root.cuts, solved.closed);
-  const verify::LimitProof proof(certificate);
-  EXPECT_FALSE(verify::flaw_of_sign_cover(certificate));
-  const auto upper = proof.upper();
+  const auto theorem = theorem_of(solved.problem, solved.model, alpha, *solved.root.worst,
+                                  solved.root.cuts, solved.closed);
+  const auto truss = truss_in_doubles(solved.problem, alpha);
+  const verify::LimitProof proof(truss, theorem.cuts);
+  EXPECT_FALSE(verify::flaw_of_sign_cover(theorem.nodes, truss.uncertain.size()));
+  const auto upper = proof.upper(theorem.collapse);
   ASSERT_TRUE(std::holds_alternative<mpq_class>(upper));
   const double above = verify::rounded_up(std::get<mpq_class>(upper));
   EXPECT_NEAR(above, solved.upper(), 1e-9 * std::max(1.0, std::abs(above)));
-  for (const auto& node : certificate.nodes) {
+  for (const auto& node : theorem.nodes) {
     const auto lower = proof.lower(node);
     ASSERT_TRUE(std::holds_alternative<mpq_class>(lower)) << std::get<std::string>(lower);
     EXPECT_GE(std::get<mpq_class>(lower).get_d(),

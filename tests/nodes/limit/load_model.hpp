@@ -16,9 +16,8 @@
 #include "support/input_error.hpp"
 #include "tests/nodes/limit/correlated_trusses.hpp"
 #include "tests/nodes/limit/plain_truss.hpp"
-#include "verify/limit/limit_consistency.hpp"
-#include "verify/limit/limit_proof.hpp"
-#include "verify/limit/sign_cover.hpp"
+#include "verify/limit/truss_consistency.hpp"
+#include "verify/limit/truss_proof.hpp"
 
 namespace kusabi::limit::test {
 
@@ -42,26 +41,33 @@ inline std::optional<problems::LimitProblem> problem_of(const problems::Structur
   }
 }
 
-// Proved bounds of a certificate for the truss; an empty interval: none.
+// Proved bounds of a theorem for the truss; an empty interval: none.
 struct Shown {
   double lower = std::numeric_limits<double>::infinity();
   double upper = -std::numeric_limits<double>::infinity();
   std::string why;
 };
 
-inline Shown shown(const verify::LimitCertificate& certificate, const problems::Structure& truss) {
-  auto agreed = verify::limit_consistency(certificate, evidence::verified_structure(truss));
-  if (const auto* why = std::get_if<std::string>(&agreed)) return {.why = *why};
-  const verify::LimitProof proof(certificate, std::get<verify::LimitTruss>(std::move(agreed)));
-  Shown result;
-  if (const auto flaw = verify::flaw_of_sign_cover(certificate)) return {.why = *flaw};
-  for (const auto& node : certificate.nodes) {
-    const auto lower = proof.lower(node);
-    if (const auto* why = std::get_if<std::string>(&lower)) return {.why = *why};
-    result.lower = std::min(result.lower, verify::rounded_down(std::get<mpq_class>(lower)));
+/// @param truss of a problem file; nothing: that of the theorem
+inline Shown shown(const verify::TrussTheorem& theorem,
+                   const std::optional<verify::Structure>& truss) {
+  if (truss) {
+    if (auto why = verify::truss_difference(theorem, *truss)) return {.why = *why};
   }
-  result.upper = verify::rounded_up(std::get<mpq_class>(proof.upper()));
+  const verify::TrussProof proof(theorem);
+  Shown result;
+  if (const auto refusals = proof.refusals(result.upper); !refusals.empty())
+    return {.why = refusals.front()};
+  for (std::size_t piece = 0; piece < proof.pieces(); ++piece) {
+    const auto lower = proof.lower(piece);
+    if (const auto* why = std::get_if<std::string>(&lower)) return {.why = *why};
+    result.lower = std::min(result.lower, std::get<double>(lower));
+  }
   return result;
+}
+
+inline Shown shown(const verify::TrussTheorem& theorem, const problems::Structure& truss) {
+  return shown(theorem, evidence::verified_structure(truss));
 }
 
 }  // namespace kusabi::limit::test

@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "nodes/limit/guaranteed_interval.hpp"
+#include "nodes/limit/search/limit_evidence.hpp"
 #include "problems/files/structure_file.hpp"
 #include "problems/files/toml/structure_writer.hpp"
 
 namespace kusabi::limit {
 namespace {
 
-using problems::LimitProblem;
 using problems::Structure;
 using test::findings;
 using test::near;
@@ -30,48 +30,38 @@ unsigned from_environment(const char* name, unsigned otherwise) {
   return text == nullptr ? otherwise : static_cast<unsigned>(std::stoul(text));
 }
 
-// A certificate with another column of T is refused for the truss.
-void expect_other_columns_refused(const verify::LimitCertificate& certificate,
-                                  const Structure& truss) {
+// A theorem with another column of T is refused for the truss.
+void expect_other_columns_refused(const verify::TrussTheorem& theorem, const Structure& truss) {
+  using Column = std::vector<verify::UncertainForce>;
   const auto refused = [&](const auto& change) {
-    for (std::size_t j = 0; j < certificate.uncertain.size(); ++j) {
-      auto other = certificate;
-      change(other.uncertain[j]);
+    for (std::size_t j = 0; j < theorem.truss.uncertain->size(); ++j) {
+      auto other = theorem;
+      change((*other.truss.uncertain)[j]);
       // If two columns are equal or opposite, the change may reproduce the original.
       if (shown(other, truss).why.find("uncertain loads") == std::string::npos) return false;
     }
     return true;
   };
-  EXPECT_TRUE(refused([](verify::Sparse& t) { t[0].second = std::nextafter(t[0].second, 9); }));
-  EXPECT_TRUE(refused([](verify::Sparse& t) { t[0].second = -t[0].second; }));
-  EXPECT_TRUE(refused([](verify::Sparse& t) { t.emplace_back(t[0].first, 0.5); }));
-  EXPECT_TRUE(refused([&](verify::Sparse& t) {
-    t.back().first = (t.back().first + 1) % certificate.displacements;
-  }));
-  EXPECT_TRUE(refused([](verify::Sparse& t) { t.pop_back(); }));
+  EXPECT_TRUE(refused([](Column& t) { t[0].weight = std::nextafter(t[0].weight, 9); }));
+  EXPECT_TRUE(refused([](Column& t) { t[0].weight = -t[0].weight; }));
+  EXPECT_TRUE(refused([](Column& t) { t.push_back({t[0].node, t[0].axis, 0.5}); }));
+  EXPECT_TRUE(
+      refused([&](Column& t) { t.back().axis = (t.back().axis + 1) % theorem.truss.dimension; }));
+  EXPECT_TRUE(refused([](Column& t) { t.pop_back(); }));
 }
 
-std::vector<verify::Sparse> columns_of(const LimitProblem& problem) {
-  std::vector<verify::Sparse> columns;
-  for (const auto& column : problem.uncertain) {
-    auto& load = columns.emplace_back();
-    for (const auto& [degree, value] : column.direction) {
-      load.emplace_back(static_cast<std::size_t>(degree), column.weight * value);
-    }
-  }
-  return columns;
-}
-
-// Evidence of one T used for another in truss and certificate: its proved bounds must be valid.
-void expect_nothing_wrong_is_shown(const verify::LimitCertificate& certificate,
-                                   const Structure& truss) {
-  for (std::size_t j = 0; j < certificate.uncertain.size(); ++j) {
+// Evidence of one T used for another in truss and theorem: its proved bounds must be valid.
+void expect_nothing_wrong_is_shown(const verify::TrussTheorem& theorem, const Structure& truss) {
+  for (std::size_t j = 0; j < theorem.truss.uncertain->size(); ++j) {
     auto other = truss;
     for (auto& component : (*other.uncertain)[j].components) component.weight *= 1.25;
-    auto moved = certificate;
-    moved.uncertain = columns_of(limit_problem(checked(other)));
+    auto moved = theorem;
+    moved.truss = with_loads(evidence::verified_structure(other), limit_problem(checked(other)),
+                             theorem.truss.half_widths.at(0).value())
+                      .value();
     const auto claim = shown(moved, other);
-    const auto minimum = PlainTruss(other).min_over_corners(certificate.alpha.at(0));
+    const auto minimum =
+        PlainTruss(other).min_over_corners(theorem.truss.half_widths.at(0).value());
     if (!minimum || !claim.why.empty()) continue;
     EXPECT_LE(claim.lower, *minimum + near);
     EXPECT_GE(claim.upper, *minimum - near);
@@ -124,9 +114,9 @@ TEST(LoadModel, ProvesTheWorstVertexForColumnsOfAnyDirection) {
     expect_least_factors(truss, alpha, found.answer);
     trees += worst.nodes > 1 ? 1 : 0;
     ++compared;
-    ASSERT_FALSE(found.statements.empty());
-    const auto text = verify::limit_certificate_text(found.statements);
-    const auto read = verify::read_limit_certificate(text, "certificate").front().evidence;
+    ASSERT_FALSE(found.theorems.empty());
+    const auto text = verify::truss_certificate_text(found.theorems);
+    const auto read = verify::read_truss_certificate(text, "certificate").front();
     const auto claim = shown(read, truss);
     EXPECT_EQ(claim.why, "");
     EXPECT_GE(claim.lower, worst.ends.at_least());
@@ -151,11 +141,11 @@ TEST(LoadModel, TheTreeClosesTheGapsOfStaticCuts) {
     EXPECT_GT(found.answer.worst->nodes, 1U);
     EXPECT_NEAR(found.answer.worst->ends.at_most(),
                 PlainTruss(truss).min_over_corners(alpha).value(), near);
-    ASSERT_FALSE(found.statements.empty());
-    const auto& certificate = found.statements.front().evidence;
-    EXPECT_GT(certificate.nodes.size(), 1U);
-    expect_other_columns_refused(certificate, truss);
-    expect_nothing_wrong_is_shown(certificate, truss);
+    ASSERT_FALSE(found.theorems.empty());
+    const auto& theorem = found.theorems.front();
+    EXPECT_GT(theorem.nodes.size(), 1U);
+    expect_other_columns_refused(theorem, truss);
+    expect_nothing_wrong_is_shown(theorem, truss);
   }
 }
 

@@ -67,10 +67,12 @@ TEST(LoadModel, IsProvedByTheLinearProgramsOfAllSigns) {
     EXPECT_NEAR(bound, *minimum, near);
     const Worst worst{Eigen::VectorXd::Zero(m),
                       {0, {}, Eigen::VectorXd::Zero(problem->free_count())}};
-    const auto certificate = limit_certificate(*problem, model, alpha, worst, {}, nodes);
-    EXPECT_FALSE(verify::flaw_of_sign_cover(certificate));
-    const verify::LimitProof proof(certificate);
-    for (const auto& node : certificate.nodes) {
+    const auto theorem = theorem_of(*problem, model, alpha, worst, {}, nodes);
+    EXPECT_FALSE(verify::flaw_of_sign_cover(theorem.nodes, m));
+    const auto meant = verify::limit_truss(
+        with_loads(evidence::verified_structure(truss), *problem, alpha).value());
+    const verify::LimitProof proof(meant.value(), theorem.cuts);
+    for (const auto& node : theorem.nodes) {
       const auto lower = proof.lower(node);
       ASSERT_TRUE(std::holds_alternative<mpq_class>(lower)) << std::get<std::string>(lower);
       EXPECT_GE(std::get<mpq_class>(lower).get_d(), *minimum - near);
@@ -204,10 +206,10 @@ TEST(LoadModel, AdmitsParametersAlongTheReferenceLoad) {
     const auto found = findings(truss, {.alpha = alpha});
     const auto minimum = PlainTruss(truss).min_over_corners(alpha);
     if (!minimum) continue;
-    ASSERT_TRUE(found.answer.worst && !found.statements.empty());
+    ASSERT_TRUE(found.answer.worst && !found.theorems.empty());
     EXPECT_TRUE(found.answer.whole());
     EXPECT_NEAR(found.answer.worst->ends.at_most(), *minimum, near);
-    const auto claim = test::shown(found.statements.front().evidence, truss);
+    const auto claim = test::shown(found.theorems.front(), truss);
     EXPECT_EQ(claim.why, "");
     EXPECT_LE(claim.lower, *minimum + near);
     EXPECT_NEAR(claim.lower, claim.upper, near);

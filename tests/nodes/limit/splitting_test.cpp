@@ -335,16 +335,16 @@ TEST(Splitting, AgreesWithAllVerticesOnRandomTrusses) {
     ++compared;
     EXPECT_NEAR(found.answer.worst->ends.at_most(), *minimum, test::near);
     EXPECT_NEAR(found.answer.worst->ends.at_least(), *minimum, test::near);
-    ASSERT_FALSE(found.statements.empty());
-    EXPECT_EQ(shown(found.statements.front().evidence, truss).why, "");
+    ASSERT_FALSE(found.theorems.empty());
+    EXPECT_EQ(shown(found.theorems.front(), truss).why, "");
     const double from = greatest_least_factor(truss, alpha).value();
     const auto interval = guaranteed_interval(found.answer);
     EXPECT_LE(interval.minimum.at_least(), from + test::near);
     EXPECT_GE(interval.minimum.at_most(), from - test::near);
     if (std::abs(from - *minimum) < test::near) continue;
     EXPECT_EQ(interval.is_empty(), from > *minimum);
-    ASSERT_EQ(found.statements.size(), 2U);
-    if (!found.statements.back().evidence.nodes.empty()) continue;
+    ASSERT_EQ(found.theorems.size(), 2U);
+    if (!found.theorems.back().nodes.empty()) continue;
     ++empty;
     EXPECT_TRUE(interval.is_empty());
   }
@@ -360,7 +360,7 @@ TEST(Splitting, LeavesGapsOfStaticCutsToTheTree) {
     EXPECT_GT(found.answer.worst->nodes, 1U);
     EXPECT_NEAR(found.answer.worst->ends.at_most(),
                 PlainTruss(truss).min_over_corners(alpha).value(), test::near);
-    EXPECT_FALSE(found.statements.empty());
+    EXPECT_FALSE(found.theorems.empty());
   }
 }
 

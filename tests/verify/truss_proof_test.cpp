@@ -1,5 +1,5 @@
-// Claims about the loss of members: yield forces divided by a dynamic factor.
-#include "verify/limit/loss_claim.hpp"
+// Theorems on the loss of members: yield forces divided by a dynamic factor.
+#include "verify/limit/truss_proof.hpp"
 
 #include <string>
 
@@ -10,7 +10,8 @@
 #include "nodes/evidence/verified_structure.hpp"
 #include "problems/files/structure_file.hpp"
 #include "searched.hpp"
-#include "verify/limit/loss_certificate.hpp"
+#include "verify/limit/truss_certificate.hpp"
+#include "verify/limit/truss_consistency.hpp"
 
 namespace kusabi::verify {
 namespace {
@@ -26,12 +27,13 @@ std::string certificate(double lower, double force) {
                        member == 0 ? "" : "-", force);
   };
   return sealed(fmt::format(
-      "kusabi certificate 5 loss\ndimension 2\nnodes 3\nnode 0x0p+0 fixed 0x0p+0 fixed\n"
+      "kusabi certificate 5 truss\ndimension 2\nnodes 3\nnode 0x0p+0 fixed 0x0p+0 fixed\n"
       "node 0x1p+0 free 0x0p+0 fixed\nnode 0x1p+1 fixed 0x0p+0 fixed\nmembers 2\n"
-      "member 0 1 {0:a} {0:a}\nmember 1 2 {0:a} {0:a}\ncase\ndead 0\nreference 1\n"
-      "force 1 0x1p+0 0x0p+0\nuncertain 0\nlose 1 0x1.8p+1\nkept 0\nlost 1 0\nload\nmotion 0x1p+0\n"
-      "lower {1:a}\nstates 2\n{2}{3}end\n",
-      5.0 / 3, lower, states(0), states(1)));
+      "member 0 1 {0:a} {0:a} {0:a}\nmember 1 2 {0:a} {0:a} {0:a}\ncases 1\ncase\ndead 0\n"
+      "reference 1\nforce 1 0x1p+0 0x0p+0\nuncertain 0\ntheorems 1\n"
+      "theorem 1 largest strength 1 0x1.8p+1 0\nlost 1 0\nload\nmotion 0x1p+0\n"
+      "states 2 {1:a}\n{2}{3}end\n",
+      5.0, lower, states(0), states(1)));
 }
 
 struct Said {
@@ -40,19 +42,22 @@ struct Said {
 };
 
 Said said(double lower, double force) {
-  const auto statements = read_loss_certificate(certificate(lower, force), "cert");
+  const auto theorems = read_truss_certificate(certificate(lower, force), "cert");
   const auto file = problems::load_structure(KUSABI_SOURCE_DIR "/tests/cases/bars_in_line.toml");
-  const LossClaim claim(statements.front(), evidence::verified_structure(file));
+  const auto& theorem = theorems.front();
+  if (const auto why = truss_difference(theorem, evidence::verified_structure(file)))
+    return {.refusals = {*why}};
+  const TrussProof proof(theorem);
   Said result;
-  if (claim.difference()) return {.refusals = {*claim.difference()}};
-  result.refusals = claim.check_loss(result.upper);
-  for (std::size_t k = 0; k < statements.front().states.size(); ++k) {
-    if (auto why = claim.refusal_of_state(k)) result.refusals.push_back(*why);
+  result.refusals = proof.refusals(result.upper);
+  for (std::size_t k = 0; k < proof.pieces(); ++k) {
+    const auto found = proof.lower(k);
+    if (const auto* const why = std::get_if<std::string>(&found)) result.refusals.push_back(*why);
   }
   return result;
 }
 
-TEST(LossClaim, RoundsQuotientsOfYieldForcesToTheSafeSide) {
+TEST(TrussProof, RoundsQuotientsOfYieldForcesToTheSafeSide) {
   const auto good = said(below, below);
   EXPECT_THAT(good.refusals, testing::IsEmpty());
   EXPECT_GE(good.upper, above);
@@ -60,7 +65,7 @@ TEST(LossClaim, RoundsQuotientsOfYieldForcesToTheSafeSide) {
   EXPECT_EQ(said(above, above).refusals.size(), 2U);
 }
 
-TEST(LossClaim, RequiresForcesInEquilibrium) {
+TEST(TrussProof, RequiresForcesInEquilibrium) {
   EXPECT_EQ(said(0x1p+9, 0x1p+20).refusals.size(), 2U);
 }
 
