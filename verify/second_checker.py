@@ -918,7 +918,7 @@ def main(path):
         for line, why in sorted(checked.refusals):
             print(f"{path}:{line}: refused: {why}")
         noise = ", entries of a load below 2^-60 of its largest taken as zero" if checked.noise else ""
-    except (Refused, OverflowError) as why:
+    except (Refused, OverflowError, RecursionError) as why:
         print(f"{path}:{reader.at}: refused: {why}")
         sentence, code, noise = "NOT PROVED", 1, ""
     except Malformed as error:

@@ -118,9 +118,11 @@ class Truss(Certificate):
         super().__init__()
         self.read_truss(reader)
         self.cases, self.theorems, self.losses = [], [], None
-        for _ in range(reader.one("cases", 1)):
+        count = reader.one("cases", 1)
+        for _ in range(count):
             self.cases.append(self.read_case(reader))
-            reader.check(self.cases[-1].name not in [case.name for case in self.cases[:-1]], "another name")
+            name = self.cases[-1].name
+            reader.check(name not in [case.name for case in self.cases[:-1]] and (name or count == 1), "another name")
         for _ in range(reader.one("theorems", 1)):
             self.theorems.append(self.read_theorem(reader))
         reader.check(self.theorems[-1].case == len(self.cases), "theorems on all load cases")

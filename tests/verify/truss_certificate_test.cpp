@@ -118,6 +118,18 @@ TEST(TrussDifference, AnotherTrussIsRefused) {
   EXPECT_EQ(refusal([](Structure& s) { s.uncertain = {{{2, 0, 1}}}; }), "");
   EXPECT_THAT(refusal([](Structure& s) { s.fixed[2][0] = true; }), HasSubstr("displacements"));
   EXPECT_THAT(refusal([](Structure& s) { s.bars.pop_back(); }), HasSubstr("members"));
+  // Fixed nodes have no displacements, but names, by which lost members are called.
+  EXPECT_THAT(refusal([](Structure& s) {
+                std::swap(s.coordinates[0], s.coordinates[1]);
+                for (auto& bar : s.bars) bar.first = bar.first <= 1 ? 1 - bar.first : bar.first;
+              }),
+              HasSubstr("the recorded nodes of member "));
+  EXPECT_THAT(refusal([](Structure& s) {
+                s.coordinates.push_back({9, 9, 0});
+                s.fixed.push_back({true, true, true});
+                s.names.emplace_back("far");
+              }),
+              HasSubstr("another number of nodes"));
 }
 
 std::string text_of(const TrussTheorem& given) {

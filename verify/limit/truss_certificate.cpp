@@ -14,6 +14,7 @@ namespace {
 
 /// Larger products of counts, whose memory no single line accounts for, are refused.
 constexpr std::size_t maximum = 10'000'000;
+constexpr std::size_t max_numbers = 200'000'000;
 
 void begin(Lines& lines, const std::string& keyword, const std::string& what) {
   lines.next();
@@ -99,9 +100,10 @@ Structure read_truss(Lines& lines) {
 }
 
 std::vector<Force> read_forces(Lines& lines, const Structure& truss, const std::string& keyword) {
-  std::vector<Force> forces(lines.count(keyword));
-  for (auto& force : forces) {
+  std::vector<Force> forces;
+  for (auto left = lines.count(keyword); left > 0; --left) {
     begin(lines, "force", ", a node and its components");
+    auto& force = forces.emplace_back();
     force.node = lines.below(truss.coordinates.size(), "a node");
     for (std::size_t axis = 0; axis < truss.dimension; ++axis)
       force.components[axis] = lines.number("components of a force");
@@ -254,10 +256,12 @@ CollapseMotion read_collapse(Lines& lines, const TrussTheorem& theorem) {
   return collapse;
 }
 
-// Evidence of a lower bound: cuts and nodes without losses, states with losses.
+// Evidence of a lower bound: cuts and nodes without losses, states with losses. A proof has a number
+// for each displacement of a cut, and for each member of a state.
 void read_lower(Lines& lines, TrussTheorem& theorem) {
   if (theorem.losses == 0) {
-    for (auto left = lines.count("cuts"); left > 0; --left)
+    const auto displacements = std::max<std::size_t>(1, free_displacements(theorem.truss));
+    for (auto left = lines.count("cuts", 0, max_numbers / displacements); left > 0; --left)
       theorem.cuts.push_back(read_cut(lines, theorem));
     const auto nodes = lines.count("nodes");
     for (auto left = nodes; left > 0; --left)
@@ -267,7 +271,7 @@ void read_lower(Lines& lines, TrussTheorem& theorem) {
   const std::string what = "a number of states, and their lower bound if there are any";
   begin(lines, "states", ", " + what);
   const auto states = lines.integer(10, what);
-  if (states > lines.left()) lines.refuse(what);
+  if (states > std::min(lines.left(), max_numbers / theorem.truss.bars.size())) lines.refuse(what);
   if (states > 0) theorem.lower = lines.number(what);
   lines.end_of_line(what);
   for (auto left = states; left > 0; --left) theorem.states.push_back(read_state(lines, theorem));
@@ -283,10 +287,13 @@ std::size_t count_copies(Lines& lines, const std::string& keyword, const Structu
 
 std::vector<Case> read_cases(Lines& lines, const Structure& truss) {
   std::vector<Case> cases;
-  for (auto left = count_copies(lines, "cases", truss); left > 0; --left) {
+  const auto count = count_copies(lines, "cases", truss);
+  for (auto left = count; left > 0; --left) {
     auto next = read_case(lines, truss);
-    if (std::ranges::find(cases, next.first, &Case::first) != cases.end())
-      lines.refuse("load cases of different names");
+    // A case without a name is one of the file, which has another name.
+    if ((count > 1 && next.first.empty()) ||
+        std::ranges::find(cases, next.first, &Case::first) != cases.end())
+      lines.refuse("load cases of different names, none without one beside others");
     cases.push_back(std::move(next));
   }
   return cases;
