@@ -112,7 +112,11 @@ void record_state(engine::Analysis& analysis, const RecordedBlock& block,
                   const std::optional<GripRestriction>& grip, HoldRecord& record) {
   std::vector<LoadShare> shares;
   if (share) shares.push_back(*share);
-  HoldNodes nodes(block.problem, shares, block.mu, block.precision, grip);
+  // A state of smooth candidates is one of candidates with less friction than the solver takes.
+  LoadedProblem problem = block.problem;
+  for (double& factor : problem.problem.friction)
+    if (block.mu * factor < min_friction) factor = 0;
+  HoldNodes nodes(problem, shares, block.mu, block.precision, grip);
   if (nodes.solve(pattern) == HoldResult::feasible) {
     record.state(block.number, share, in_whole(pattern, block.candidates),
                  nodes.state_numbers(pattern));
