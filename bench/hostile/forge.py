@@ -507,7 +507,7 @@ def judged(kusabi, truth, own, path, toml):
     if second_code not in (0, 1, 2, 3) or "Traceback" in second or "CHECKER IS WRONG" in second:
         return "failed", [f"second checker: exit code {second_code}: {second[-300:]}"], 0
     if done.returncode == 2:
-        return "malformed", [] if second_code == 2 else [f"malformed, but the second checker says: {second[-300:]}"], 0
+        return "malformed", [] if second_code == 2 or "K is not positive definite" in second else [f"malformed, but the second checker says: {second[-300:]}"], 0
     if done.returncode not in (0, 1, 3) or not sentence or "the verification itself is wrong" in output:
         return "failed", [f"exit code {done.returncode}: {output[-300:]}"], 0
     if "K is positive definite" not in output:
