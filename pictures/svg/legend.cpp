@@ -172,7 +172,7 @@ void add_structure(std::vector<LegendEntry>& entries, const Scene& scene, const 
   if (moves) {
     const auto text =
         scene.collapse
-            ? fmt::format("collapse mode: velocities × {:g}", scales.displacement)
+            ? fmt::format("{}: velocities × {:g}", scene.motion, scales.displacement)
             : fmt::format("displacements × {:g}, largest {:.4g}\u00A0{}", scales.displacement,
                           scales.largest_displacement, units.length);
     entries.push_back({bodies ? area_of("moved") : line_of("moved", "bar"), text});

@@ -78,12 +78,13 @@ struct Scene {
   std::vector<DrawnCandidate> candidates;
   std::vector<DrawnLoad> loads;
   LoadNames load_names{};
-  Eigen::Matrix3Xd displacements;      ///< of all nodes; no columns: not known
-  Eigen::Matrix3Xd support_reactions;  ///< as displacements
-  bool collapse = false;               ///< true if `displacements` are velocities of a collapse
-  std::string name;                    ///< "pattern 3"
-  std::string note;                    ///< short text beside the name: "t* 1.2e-03"
-  std::vector<std::string> lines;      ///< sentences below the title if the scene is drawn alone
+  Eigen::Matrix3Xd displacements;        ///< of all nodes; no columns: not known
+  Eigen::Matrix3Xd support_reactions;    ///< as displacements
+  bool collapse = false;                 ///< true if `displacements` are velocities of a motion
+  std::string motion = "collapse mode";  ///< its name, with `collapse`
+  std::string name;                      ///< "pattern 3"
+  std::string note;                      ///< short text beside the name: "t* 1.2e-03"
+  std::vector<std::string> lines;        ///< sentences below the title if the scene is drawn alone
 };
 
 struct UnitNames {

@@ -365,11 +365,14 @@ void Hold::search(CommandRun& run) {
     exact_->set_standings(*findings_.friction);
     if (const auto& upper = findings_.friction->bracket.upper)
       warn_of_facets(run, options_.input, facets_, upper->value);
-    return;
   }
   for (const double mu : options_.points) {
     search_at(analysis, mu);
     if (findings_.status() != engine::Status::solved) return;
+  }
+  for (const auto& load : excluded_loads(options_, loaded_, findings_)) {
+    if (auto motion = wedged::excluding_motion(structure_, loaded_, load))
+      findings_.exclusions.push_back(*std::move(motion));
   }
 }
 
@@ -415,7 +418,8 @@ std::vector<Step> Hold::results(CommandRun& run) {
 
 nlohmann::ordered_json Hold::json(const CommandRun& run) const {
   return run.result_json(problem_json(structure_, loaded_.problem, options_.input.file),
-                         hold_json(options_, loaded_, findings_), costs_json(findings_));
+                         hold_json(options_, *structure_, loaded_, findings_),
+                         costs_json(findings_));
 }
 
 answer::Verdict Hold::verdict() const {

@@ -15,6 +15,7 @@
 #include "answer/verdict.hpp"
 #include "engine/options.hpp"
 #include "nodes/wedged/hold/diagram.hpp"
+#include "nodes/wedged/hold/excluding_motion.hpp"
 #include "nodes/wedged/hold/grip_search.hpp"
 #include "nodes/wedged/hold/hold_search.hpp"
 #include "nodes/wedged/hold/load_program.hpp"
@@ -60,6 +61,8 @@ struct HoldFindings {
   bool certified = false;  ///< a certificate of factors was written
   bool enclosed = false;  ///< the stiffness matrix: otherwise nothing is recorded for a certificate
   std::optional<wedged::Diagram> diagram{};
+  /// Motions by which statics alone excludes loads: at each end of the answer that has one.
+  std::vector<wedged::ExcludingMotion> exclusions{};
   engine::Status ended = engine::Status::solved;  ///< of the points
   std::vector<wedged::HoldCost> costs_left{};     ///< of a point that is not complete
 
@@ -99,8 +102,14 @@ std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& 
                        const HoldFindings& findings);
 
 /// The member `result` of a result file.
-nlohmann::ordered_json hold_json(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                                 const HoldFindings& findings);
+nlohmann::ordered_json hold_json(const HoldOptions& options, const problems::Structure& structure,
+                                 const wedged::LoadedProblem& loaded, const HoldFindings& findings);
+
+/// Loads just beyond the ends of the answer for one friction coefficient, or of its smallest one;
+/// none after an early end, and for several coefficients.
+std::vector<wedged::ExcludedLoad> excluded_loads(const HoldOptions& options,
+                                                 const wedged::LoadedProblem& loaded,
+                                                 const HoldFindings& findings);
 
 /// The costs of the searches: its member `statistics`.
 nlohmann::ordered_json costs_json(const HoldFindings& findings);

@@ -116,10 +116,70 @@ ordered_json intervals_json(const wedged::LoadedProblem& loaded, const wedged::H
   return intervals;
 }
 
+// Velocities of a large structure are left out.
+ordered_json exclusions_json(const wedged::LoadedProblem& loaded,
+                             const problems::Structure& structure,
+                             const std::vector<wedged::ExcludingMotion>& exclusions) {
+  constexpr Eigen::Index most_nodes = 5000;
+  auto list = ordered_json::array();
+  for (const auto& motion : exclusions) {
+    auto bodies = ordered_json::array();
+    for (const auto& body : motion.bodies.bodies)
+      bodies.push_back({{"node", body.node}, {"motion", body.words}});
+    auto moving = ordered_json::array();
+    const Eigen::Index nodes = motion.bodies.velocities.cols();
+    for (Eigen::Index node = 0; node < nodes && nodes <= most_nodes; ++node) {
+      const Eigen::VectorXd velocity = motion.bodies.velocities.col(node);
+      if (velocity.isZero(0)) continue;
+      moving.push_back({{"node", structure.node_names[static_cast<std::size_t>(node)]},
+                        {"velocity", std::vector<double>(velocity.begin(), velocity.end())}});
+    }
+    list.push_back({{"friction", motion.load.friction},
+                    {"factor", motion.load.share.reference},
+                    {"bodies", std::move(bodies)},
+                    {"sliding", candidate_names(loaded.problem, motion.sliding)},
+                    {"opening", candidate_names(loaded.problem, motion.opening)},
+                    {"moving", std::move(moving)}});
+  }
+  return list;
+}
+
 }  // namespace
 
-ordered_json hold_json(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                       const HoldFindings& findings) {
+std::vector<wedged::ExcludedLoad> excluded_loads(const HoldOptions& options,
+                                                 const wedged::LoadedProblem& loaded,
+                                                 const HoldFindings& findings) {
+  using Side = wedged::ExcludedLoad::Side;
+  constexpr wedged::LoadShare dead_alone{1, 0};
+  if (findings.status() != engine::Status::solved) return {};
+  if (findings.friction) {
+    const auto& lower = findings.friction->bracket.lower;
+    if (!lower || findings.friction->not_in_equilibrium || lower->value == 0) return {};
+    return {{lower->value, dead_alone, Side::less}};
+  }
+  if (findings.points.size() != 1 || options.points.size() != 1 || options.parameters.total)
+    return {};
+  const auto& [mu, found, grip] = findings.points.front();
+  if (found.any_by_supports || found.any_by_wedging || found.not_in_equilibrium) return {};
+  const bool dead = loaded.has_dead_part();
+  if (found.intervals.empty()) {
+    if (!dead || found.unresolved) return {};
+    return {{mu, dead_alone, Side::alone}};
+  }
+  std::vector<wedged::ExcludedLoad> all;
+  const auto add = [&](double end, double out, Side side) {
+    if (std::isinf(end) || std::isinf(out)) return;
+    const double along = side == Side::less ? -1 : 1;
+    all.push_back({mu, dead ? wedged::LoadShare{1, out} : wedged::LoadShare{0, along}, side});
+  };
+  const auto& [first, last] = std::tie(found.intervals.front(), found.intervals.back());
+  add(first.low, first.low_out.value, Side::less);
+  add(last.high, last.high_out.value, Side::more);
+  return all;
+}
+
+ordered_json hold_json(const HoldOptions& options, const problems::Structure& structure,
+                       const wedged::LoadedProblem& loaded, const HoldFindings& findings) {
   auto result = ordered_json::object();
   if (findings.friction) {
     const auto& found = *findings.friction;
@@ -135,6 +195,8 @@ ordered_json hold_json(const HoldOptions& options, const wedged::LoadedProblem& 
     result["intervals"] = intervals_json(loaded, findings.points.front().factors);
   }
   if (findings.diagram) result["pieces"] = diagram_pieces(loaded, *findings.diagram);
+  if (!findings.exclusions.empty())
+    result["excluding_motions"] = exclusions_json(loaded, structure, findings.exclusions);
   return result;
 }
 

@@ -1,5 +1,6 @@
 // Answers of `kusabi hold` with what is proved of each.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -9,10 +10,13 @@
 #include <fmt/format.h>
 
 #include "answer/answer_words.hpp"
+#include "answer/values.hpp"
 #include "problems/wedged/problem_block.hpp"
 #include "problems/wedged/wedged_problem.hpp"
 #include "run/hold/hold.hpp"
 #include "run/wedged/contact_words.hpp"
+#include "run/wedged/problem_summary.hpp"
+#include "support/input_error.hpp"
 
 namespace kusabi::run {
 namespace {
@@ -69,6 +73,58 @@ answer::HoldingGrip grip_of(const wedged::GripRange& found) {
   if (minimum.known) grip.minimum.upper = minimum.held;
   if (!maximum.unbounded && maximum.known) grip.maximum = {maximum.held, maximum.out};
   return grip;
+}
+
+// "the body turns clockwise about (0, 3)", "the body of node "a" moves along x, the body of node "b"
+// moves against x, and 3 more move".
+std::string bodies_words(const problems::BodyMotion& motion) {
+  if (motion.only_body) return "the body " + motion.bodies.front().words;
+  constexpr std::size_t most = 3;
+  std::vector<std::string> parts;
+  for (const auto& body : motion.bodies) {
+    if (parts.size() == most) break;
+    parts.push_back(
+        fmt::format("the body of node {} {}", support::in_quotes(body.node), body.words));
+  }
+  auto text = fmt::format("{}", fmt::join(parts, ", "));
+  const auto more = motion.bodies.size() - parts.size();
+  if (more > 0) text += fmt::format(", and {} more {}", more, more == 1 ? "moves" : "move");
+  return text;
+}
+
+// " Friction is used up at a, b; contact is lost at c." Nothing if contact is lost everywhere: such a
+// motion, far from the end of a range, is one of many.
+std::string contacts_words(const wedged::LoadedProblem& loaded,
+                           const wedged::ExcludingMotion& motion) {
+  constexpr int most = 6;
+  const auto names = [&](const support::IndexSet& set) {
+    return set.size() > most
+               ? answer::counted(set.size(), "candidate")
+               : fmt::format("{}", fmt::join(candidate_names(loaded.problem, set), ", "));
+  };
+  if (motion.opening.size() == static_cast<int>(loaded.problem.contact_names.size())) return {};
+  std::vector<std::string> parts;
+  if (!motion.sliding.empty()) parts.push_back("friction is used up at " + names(motion.sliding));
+  if (!motion.opening.empty()) parts.push_back("contact is lost at " + names(motion.opening));
+  if (parts.empty()) return {};
+  auto text = fmt::format(" {}.", fmt::join(parts, "; "));
+  text[1] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[1])));
+  return text;
+}
+
+// Why a load beyond the answer cannot be held.
+std::string exclusion_words(const wedged::LoadedProblem& loaded, const HoldFindings& findings,
+                            const wedged::ExcludingMotion& motion) {
+  using Side = wedged::ExcludedLoad::Side;
+  const auto beyond = [&]() -> std::string {
+    if (findings.friction) return findings.friction->bracket.upper ? " with less friction" : "";
+    if (motion.load.side == Side::alone) return loaded.has_reference ? " the dead load alone" : "";
+    return motion.load.side == Side::more ? " a larger factor" : " a smaller factor";
+  };
+  return fmt::format(
+      "Why not{}: statics alone excludes it. On the motion on which {}, the load does work, and no "
+      "reaction within the friction cones resists.{}",
+      beyond(), bodies_words(motion.bodies), contacts_words(loaded, motion));
 }
 
 // A sentence for each certificate that was not written. The least coefficient, zero, has none
@@ -152,6 +208,8 @@ answer::Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedPro
     verdict.answer = std::move(factors);
     any = findings.points.front().factors.any_by_supports;
   }
+  for (const auto& motion : findings.exclusions)
+    verdict.details.push_back(exclusion_words(loaded, findings, motion));
   if (!options.certificate.empty())
     std::ranges::move(missing_certificates(findings), std::back_inserter(verdict.missing));
   if (!any) {

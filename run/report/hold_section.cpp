@@ -3,12 +3,14 @@
 #include "run/report/hold_section.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "answer/words.hpp"
 #include "pictures/svg/chart.hpp"
+#include "pictures/svg/inline_picture.hpp"
 #include "run/output/rounded_within.hpp"
 #include "run/report/facts.hpp"
 #include "run/results/hold_chart.hpp"
@@ -150,7 +152,49 @@ void add_pieces(Markup& page, const ResultReader& reader, const ResultJson& piec
   end_table(page);
 }
 
+// Bodies that move, and contacts that slide and open.
+void add_motion(Markup& page, const ResultReader& reader, const ResultJson& motion) {
+  begin_facts(page, "Motion");
+  if (const double factor = reader.number(motion, "factor"); std::isnormal(factor))
+    add_fact(page, "factor of the reference load", fmt::format("{:.10g}", factor));
+  for (const auto& body : reader.list(motion, "bodies"))
+    add_fact(page, "the body of node " + reader.text(body, "node"), reader.text(body, "motion"));
+  const auto names = [&](const char* key, const char* label) {
+    const auto list = reader.names(motion, key);
+    if (!list.empty()) add_fact(page, label, joined(list));
+  };
+  names("sliding", "friction is used up at");
+  names("opening", "contact is lost at");
+  end_table(page);
+}
+
 }  // namespace
+
+void add_exclusions(Markup& page, const ResultReader& reader) {
+  const auto scenes = exclusion_scenes(reader);
+  if (scenes.empty()) return;
+  const auto& motions =
+      reader.list(reader.at(reader.all(), "result"), "excluding_motions", scenes.size());
+  const auto& units = reader.at(reader.at(reader.all(), "problem"), "units");
+  page.open("section", {{"id", "why-not"}}).element("h2", "Why other loads cannot be held");
+  page.element("p",
+               "On each of these motions the load does work, and no reaction within the friction "
+               "cones resists, whatever the stiffness. It shows that the load cannot be held; "
+               "it is not the one that follows.");
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    const auto id = fmt::format("why-not-{}", k + 1);
+    page.open("div", {{"class", "beside"}}).open("figure");
+    page.verbatim(
+        inline_svg({id, scenes[k].name, "The structure on this motion", true}, scenes[k]));
+    page.verbatim(inline_legend(
+        {id + "-legend", "Legend", "Legend of the picture."},
+        legend(scenes[k], {reader.text(units, "length"), reader.text(units, "force")})));
+    page.close().open("div");
+    add_motion(page, reader, motions[k]);
+    page.close().close();
+  }
+  page.close();
+}
 
 void add_held_loads(Markup& page, const ResultReader& reader, const std::string& sentence) {
   const auto& result = reader.at(reader.all(), "result");

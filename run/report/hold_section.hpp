@@ -12,4 +12,7 @@ namespace kusabi::run {
 void add_held_loads(pictures::Markup& page, const ResultReader& reader,
                     const std::string& sentence);
 
+/// Pictures of the motions by which statics alone excludes loads; nothing if there are none.
+void add_exclusions(pictures::Markup& page, const ResultReader& reader);
+
 }  // namespace kusabi::run

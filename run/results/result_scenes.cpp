@@ -228,6 +228,29 @@ class SceneReader {
     }
   }
 
+ public:
+  // A motion on which a load does work that no reaction resists.
+  [[nodiscard]] Scene exclusion_scene(const ResultJson& motion) const {
+    const double factor = reader_.number(motion, "factor");
+    auto scene = at_friction(reader_.number(motion, "friction"));
+    const auto load = factor == 0 ? std::string("the dead load")
+                                  : fmt::format("factor {:.{}g}", factor, digits_of_picture);
+    scene.name = "motion under " + load;
+    scene.note = "cannot be held";
+    scene.collapse = true;
+    scene.motion = "motion that no reaction resists";
+    scene.displacements = moving(motion);
+    for (const auto& body : reader_.list(motion, "bodies")) {
+      add_line(scene, fmt::format("the body of node {} {}", reader_.text(body, "node"),
+                                  reader_.text(body, "motion")));
+    }
+    add_line(scene, listed_names("friction is used up at", reader_.names(motion, "sliding")));
+    add_line(scene, listed_names("contact is lost at", reader_.names(motion, "opening")));
+    add_loads(scene, {.factor = factor});
+    return scene;
+  }
+
+ private:
   void read_collapses(ResultScenes& all) {
     const auto* const nominal = ResultReader::find(result_, "nominal_mode");
     // In the middle of the ranges of its factors a combination of actions has no meaning of its own.
@@ -292,11 +315,7 @@ class SceneReader {
     scene.note = carried ? fmt::format("λ = {:.6g}", factor) : "at any load factor";
     scene.lines = {carried ? fmt::format("collapses at load factor λ = {:.10g}", factor)
                            : "collapses at any load factor"};
-    scene.displacements = Eigen::Matrix3Xd::Zero(3, scene.positions.cols());
-    for (const auto& moving : reader_.list(mode, "moving")) {
-      scene.displacements.col(node_named(reader_.text(moving, "node"))) =
-          reader_.vector(reader_.at(moving, "velocity"), dimension_);
-    }
+    scene.displacements = moving(mode);
     for (const auto& yielding : reader_.list(mode, "yielding")) {
       const auto ends = reader_.names(yielding, "member");
       if (ends.size() != 2) reader_.refuse("a member does not have two nodes");
@@ -308,6 +327,16 @@ class SceneReader {
       }
     }
     return scene;
+  }
+
+  // Velocities by node.
+  [[nodiscard]] Eigen::Matrix3Xd moving(const ResultJson& motion) const {
+    Eigen::Matrix3Xd velocities = Eigen::Matrix3Xd::Zero(3, structure_.scene.positions.cols());
+    for (const auto& each : reader_.list(motion, "moving")) {
+      velocities.col(node_named(reader_.text(each, "node"))) =
+          reader_.vector(reader_.at(each, "velocity"), dimension_);
+    }
+    return velocities;
   }
 
   struct LoadsOfScene {
@@ -469,6 +498,16 @@ std::optional<double> given_friction(const ResultReader& reader) {
 std::string under_factor(double factor, double low, double high) {
   if (factor == 0) return "under the dead load";
   return "at factor " + rounded_within(factor, low, high, digits_of_picture);
+}
+
+std::vector<Scene> exclusion_scenes(const ResultReader& reader) {
+  const auto& result = reader.at(reader.all(), "result");
+  std::vector<Scene> scenes;
+  if (ResultReader::find(result, "excluding_motions") == nullptr) return scenes;
+  const SceneReader own(reader, {.maximum = 0});
+  for (const auto& motion : reader.list(result, "excluding_motions"))
+    scenes.push_back(own.exclusion_scene(motion));
+  return scenes;
 }
 
 ResultScenes chosen_scenes(const ResultReader& reader, SceneChoice choice) {

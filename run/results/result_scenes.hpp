@@ -48,6 +48,9 @@ std::optional<double> given_friction(const ResultReader& reader);
 /// is rounded
 std::string under_factor(double factor, double low, double high);
 
+/// The motions by which statics alone excludes loads, of a result of `hold`. @throws WrongInput
+std::vector<pictures::Scene> exclusion_scenes(const ResultReader& reader);
+
 /// The list of scenes may be empty.
 /// @throws WrongInput in one line if it is not a result that can be drawn
 ResultScenes chosen_scenes(const ResultReader& reader, SceneChoice choice);

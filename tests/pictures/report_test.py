@@ -258,7 +258,8 @@ class Report(KusabiCase):
         self.assertEqual(next(page.root.all("figure")).children[0].tag, "svg")
         self.assertIn("history of loading", next(page.root.all("header")).text())
         dead = [line for line in page.root.all("line") if "dead" in line.kinds()]
-        self.assertEqual(len(dead), len(result["problem"]["structure"]["dead_loads"]) + 1)  # the legend has one
+        # Of the state and of the motion that excludes less friction; each legend has one.
+        self.assertEqual(len(dead), 2 * len(result["problem"]["structure"]["dead_loads"]) + 2)
         result = self.solve("hold", "peg-under-load.toml", "--mu", 0.5)
         self.page()
 

@@ -232,6 +232,96 @@ class Hold(KusabiCase):
         self.check_end(found["upper"]["value"], found["lower"]["value"], 0.3)
         self.assertEqual([found[end]["standing"] for end in ("lower", "upper")], ["proved", "computed"])
 
+    def check_motion(self, motion, friction, words, loads):
+        """A motion of one body on which each contact opens at least mu times as fast as it slides."""
+        self.assertEqual([body["motion"] for body in motion["bodies"]], [words])
+        velocities = {each["node"]: each["velocity"] for each in motion["moving"]}
+        for name, normal, along in friction:
+            v = velocities.get(name, [0, 0])
+            opens, slides = (sum(a * b for a, b in zip(v, axis)) for axis in (normal, along))
+            self.assertGreaterEqual(opens, motion["friction"] * abs(slides) - 1e-9, name)
+            self.assertEqual(name in motion["sliding"], abs(slides) > 1e-3 and opens < motion["friction"] * abs(slides) + 1e-3)
+        work = sum(a * b for node, force in loads.items() for a, b in zip(velocities[node], force))
+        self.assertGreater(work, 0)
+
+    def test_a_ladder_slips_about_the_point_where_both_limit_reactions_meet(self):
+        contacts = (("ladder.0,0", (0, 1), (1, 0)), ("ladder.10,0", (-1, 0), (0, 1)))
+        result = self.solve("hold", EXAMPLES / "ladder.toml")  # the lines of slopes 3 and -1/3 above the middle
+        (motion,) = result["result"]["excluding_motions"]
+        self.check_motion(motion, contacts, "turns clockwise about (1.5, 4.5)", {"ladder.5,0": (0, -1)})
+        self.assertIn("Why not with less friction: statics alone excludes it. On the motion on which the body turns clockwise about "
+                      "(1.5, 4.5), the load does work, and no reaction within the friction cones resists. Friction is used up at "
+                      "ladder.0,0, ladder.10,0.", " ".join(result["verdict"]["details"]))
+        result = self.solve("hold", EXAMPLES / "ladder.toml", "--mu", 0.4)
+        less, more = result["result"]["excluding_motions"]
+        climber = {"ladder.5,0": (0, -1), "ladder.8,0": (0, 0.626)}
+        self.check_motion(less, contacts, 'turns anticlockwise about "ladder.0,0"', climber)
+        self.assertEqual((less["opening"], less["sliding"]), (["ladder.10,0"], []))
+        x = 5.2 / 2.9  # 2.5 x = 4 + 0.4 (3 - x)
+        climber["ladder.8,0"] = 0, -0.483
+        self.check_motion(more, contacts, f"turns clockwise about ({x:.4g}, {2.5 * x:.4g})", climber)
+        self.assertLess(less["factor"], -0.625)
+        self.assertGreater(more["factor"], heaviest(0.4))
+
+    def test_a_pushed_block_slides_or_turns_over(self):
+        text = BLOCK + LOAD.format('"block.0,1", "block.1,1"', "[0, -0.5]") + LOAD.format('"block.0,1"', "[1, 0]").replace("dead", "reference")
+        floor = tuple((f"block.{k},0", (0, 1), (1, 0)) for k in (0, 1))
+        for mu, end, words in ((0.3, 0.3, "moves along (0.9578, 0.2873)"), (0.8, 0.5, 'turns clockwise about "block.1,0"')):
+            result = self.solve("hold", self.problem(text), "--mu", mu)
+            more = result["result"]["excluding_motions"][-1]
+            self.assertAlmostEqual(more["factor"], end, delta=1e-7)
+            self.check_motion(more, floor, words, {"block.0,1": (end + 1e-3, -0.5), "block.1,1": (0, -0.5)})
+            self.assertEqual(more["opening"], ["block.0,0"] if mu == 0.8 else [])
+        page = self.folder / "page.html"
+        self.kusabi("report", self.result, "--output", page)
+        self.assertIn('id="why-not"', page.read_text())
+        self.assertIn("motion that no reaction resists", page.read_text())
+
+    def test_a_cube_in_space_turns_over_an_edge(self):
+        places = ((0, 0), (1, 0), (1, 1), (0, 1))
+        text = 'name = "cube"\ndimension = 3\nunits = { length = "m", force = "N" }\n[nodes]\n'
+        text += "".join(f"{name}{x}{y} = [{x}, {y}, {z}]\n" for name, z in (("b", 0), ("t", 1)) for x, y in places)
+        foot, top = (", ".join(f'"{name}{x}{y}"' for x, y in places) for name in "bt")
+        text += f'[[elements]]\nE = 1000\nnu = 0.3\nbetween = [[{foot}, {top}]]\n[[contact]]\nnodes = [{foot}]\nnormal = [0, 0, 1]\n'
+        text += LOAD.format(top, "[0, 0, -0.25]") + LOAD.format(top, "[0.25, 0, 0]").replace("dead", "reference")
+        result = self.solve("hold", self.problem(text), "--mu", 0.8)
+        more = result["result"]["excluding_motions"][-1]
+        self.assertAlmostEqual(more["factor"], 0.5, delta=1e-7)
+        self.assertRegex(more["bodies"][0]["motion"], r"^turns about the axis through \(1, [-0-9.e]+, 0\) along \(0, 1, 0\) by the right-hand rule$")
+        self.assertEqual(sorted(more["opening"]), ["b00", "b01"])
+
+    def test_motions_of_a_reference_load_alone_have_its_direction(self):
+        # A block without weight on a floor: it holds a press down, and nothing that pulls it up.
+        text = BLOCK + LOAD.format('"block.0,1", "block.1,1"', "[0, -1]").replace("dead", "reference")
+        result = self.solve("hold", self.problem(text), "--mu", 0.5)
+        (less,) = result["result"]["excluding_motions"]
+        self.assertEqual((less["factor"], less["opening"]), (-1, ["block.0,0", "block.1,0"]))
+        self.check_motion(less, (), less["bodies"][0]["motion"], {"block.0,1": (0, 1), "block.1,1": (0, 1)})
+
+    def test_loads_that_no_candidate_resists_name_no_motion(self):
+        # A square that touches at a corner: its loads turn it about that, whatever the reactions.
+        text = BLOCK.replace('nodes = ["block.0,0", "block.1,0"]\nnormal = [0, 1]', 'nodes = ["block.0,0"]\nnormal = [-1, 1]')
+        text += LOAD.format('"block.1,1"', "[-1, 1]").replace("dead", "reference")
+        self.assertNotIn("excluding_motions", self.solve("hold", self.problem(text), "--mu", 0.3)["result"])
+
+    def test_what_is_not_held_at_any_coefficient_does_not_blame_friction(self):
+        text = BLOCK + LOAD.format('"block.0,1"', "[0, 1]")
+        result = self.solve("hold", self.problem(text))
+        self.assertIn("Why not: statics alone excludes it.", " ".join(result["verdict"]["details"]))
+
+    def test_a_part_may_need_less_friction_than_the_solver_takes(self):
+        # One block needs a coefficient of 1e-7, the other one none; 1e-6 times its factor is below the least of the solver.
+        other = BLOCK[len(HEAD):].replace("block", "other").replace("[[0, 0], [1, 0], [1, 1], [0, 1]]", "[[5, 0], [6, 0], [6, 1], [5, 1]]")
+        text = BLOCK + other + "friction_factor = 0.5\n"
+        text += LOAD.format('"block.0,1", "block.1,1"', "[1e-7, -1]") + LOAD.format('"other.0,1", "other.1,1"', "[0, -1]")
+        found = self.solve("hold", self.problem(text))["result"]["holding_friction"]
+        self.assertEqual([found[end]["standing"] for end in ("lower", "upper")], ["proved", "proved"])
+        self.assertTrue(found["lower"]["value"] <= 1e-7 <= found["upper"]["value"])
+
+    def test_stiffness_that_decides_names_no_motion(self):
+        # Reactions that grow with the load balance it: statics alone excludes nothing.
+        self.assertNotIn("excluding_motions", self.solve("hold", EXAMPLES / "peg-under-load.toml", "--mu", 0.5)["result"])
+
     def test_one_factor_of_equilibrium_is_between_doubles_that_are_not_held(self):
         # A seesaw, whose loads are in equilibrium at 3/7, which is no double.
         text = TRIANGLE.replace("[1, 0]", "[0.3, 0.1]").replace("[0.5, 1]", "[-0.7, 0.1]").replace('nodes = ["a", "b"]', 'nodes = ["a"]')

@@ -82,7 +82,7 @@ OPTIONAL_OF = {
               "result": {"kept", "reference_action", "reference_factor", "nominal_bounds", "minimum_parameters", "member_loss", "struts", "zero_one", "case", "cases", "samples", "curve_end", "worst_curve_end", "load_curve_end"}},
     "sweep": {"result": {"curve_end"}, "patterns": {"block", "inactive"}, "open": {"block", "inactive"}},
     "mip": {"result": {"columns"}},
-    "hold": {"structure": {"reference_loads"}},
+    "hold": {"structure": {"reference_loads"}, "result": {"excluding_motions"}},
 }
 # objects with counts of a search
 COUNTING = {"ranks", "earlier_runs", "tree", "histories"}

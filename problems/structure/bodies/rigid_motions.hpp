@@ -46,4 +46,10 @@ std::vector<UnconstrainedBody> unconstrained_bodies(const Structure& structure);
 /// Description such as "can move along x and y and turn".
 std::string described(const UnconstrainedBody& body);
 
+/// Description of one motion of a body, such as "turns clockwise about (0, 3)", or about a node that
+/// is there, or "moves along x".
+/// @param motion one column as in `motions`, not zero
+std::string described(const Structure& structure, const UnconstrainedBody& body,
+                      const Eigen::VectorXd& motion);
+
 }  // namespace kusabi::problems

@@ -92,7 +92,10 @@ std::string report_page(const ResultReader& reader) {
   if (command == "critical" || command == "hold") add_bracket(page, reader);
   if (command == "limit") add_limit(page, reader, scenes);
   if (command == "sweep") add_sweep(page, reader);
-  if (command == "hold") add_held_loads(page, reader, reader.sentence());
+  if (command == "hold") {
+    add_held_loads(page, reader, reader.sentence());
+    add_exclusions(page, reader);
+  }
   if (list.answers.size() > 1) add_gallery(page, reader, list);
   add_problem_section(page, reader, scenes);
   page.open("section", {{"id", "origin"}}).element("h2", "Details of the run");

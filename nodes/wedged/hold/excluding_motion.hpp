@@ -1,0 +1,44 @@
+// The motion by which statics alone excludes a load: rigid bodies move such that each contact opens
+// at least mu times as fast as it slides, and the load does work. Then no reaction within the friction
+// cones resists, and none balances the load, whatever the stiffness (docs/theory/loads.md, "Why a
+// load cannot be held").
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "nodes/wedged/hold/load_program.hpp"
+#include "problems/structure/checks/checked_structure.hpp"
+#include "problems/wedged/body_motion.hpp"
+#include "support/index_set.hpp"
+
+namespace kusabi::wedged {
+
+/// A load that cannot be held, just beyond an answer.
+struct ExcludedLoad {
+  enum class Side : std::int8_t {
+    less,   ///< below the smallest factor, or the smallest friction coefficient, that is held
+    more,   ///< above the largest factor
+    alone,  ///< nothing is held: the dead load alone
+  };
+  double friction = 0;  ///< coefficient of the call
+  LoadShare share{};
+  Side side = Side::alone;
+};
+
+struct ExcludingMotion {
+  ExcludedLoad load{};
+  problems::BodyMotion bodies{};
+  support::IndexSet sliding{};  ///< candidates that open only as fast as sliding demands
+  support::IndexSet opening{};  ///< candidates that open faster
+};
+
+/// The motion, in floating point. Nothing if there is none with a margin at every candidate, which
+/// needs that no reactions within the friction cones balance each other; if that is numerically
+/// undecided; or if the load also moves a body where no candidate resists.
+/// @param whole of the structure, in its load case
+std::optional<ExcludingMotion> excluding_motion(const problems::CheckedStructure& structure,
+                                                const LoadedProblem& whole,
+                                                const ExcludedLoad& load);
+
+}  // namespace kusabi::wedged
