@@ -13,7 +13,8 @@ namespace kusabi::verify {
 
 using support::IndexSet;
 
-BlockProof::BlockProof(ContactBlock block) : model_(std::move(block)) {}
+BlockProof::BlockProof(ContactBlock block)
+    : model_(std::move(block)), no_bounds_(model_.candidates()) {}
 
 Combination BlockProof::combination(const Theorem& theorem, const IndexSet& contact,
                                     const IndexSet& separated, std::span<const double> numbers,
@@ -41,7 +42,7 @@ Combination BlockProof::combination(const Theorem& theorem, const IndexSet& cont
 ProofResult BlockProof::prove_infeasible(const Theorem& theorem, const IndexSet& contact,
                                          const IndexSet& separated,
                                          std::span<const double> numbers) const {
-  return InfeasibilityProof(model_, ProvedBounds(model_.candidates()),
+  return InfeasibilityProof(model_, no_bounds_,
                             combination(theorem, contact, separated, numbers, false))
       .result();
 }

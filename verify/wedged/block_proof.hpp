@@ -27,6 +27,9 @@ class BlockProof {
     return model_.min_eigenvalue();
   }
 
+  /// Bounds of which none is proved yet.
+  [[nodiscard]] const ProvedBounds& no_bounds() const { return no_bounds_; }
+
   /// Proves that the theorem has no state below the node (U, R): under any combination of its loads
   /// with amounts >= 0 of which one is positive; without loads, no wedged configuration.
   /// @param numbers m multipliers, p coefficients of the mean motion of w and, if the theorem
@@ -102,6 +105,7 @@ class BlockProof {
                                               const ProvedBounds& bounds) const;
 
   BlockModel model_;
+  ProvedBounds no_bounds_;
 };
 
 }  // namespace kusabi::verify

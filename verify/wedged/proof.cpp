@@ -152,9 +152,9 @@ std::optional<std::string> Proof::add_bound(const CandidateBound& bound) {
   const auto& block = certificate_.blocks[theorem.block];
   if (!block.contains(bound.candidate)) return "its candidate is not in its block";
   const auto own = within(block, support::IndexSet::single(bound.candidate)).lowest();
-  const auto place = bounds_.try_emplace(bound.theorem, static_cast<std::size_t>(block.size()));
-  return blocks_[theorem.block].add_bound(theorem, bound, static_cast<std::size_t>(own),
-                                          place.first->second);
+  const auto& proof = blocks_[theorem.block];
+  const auto place = bounds_.try_emplace(bound.theorem, proof.no_bounds());
+  return proof.add_bound(theorem, bound, static_cast<std::size_t>(own), place.first->second);
 }
 
 ProofResult Proof::proof_result(const Node& node) const {
@@ -169,9 +169,7 @@ ProofResult Proof::proof_result(const Node& node) const {
       return proof.prove_infeasible(theorem, contact, separated, node.numbers);
     case Claim::cut:
       return proof.prove_by_cuts(theorem,
-                                 bounds != bounds_.end()
-                                     ? bounds->second
-                                     : ProvedBounds(static_cast<std::size_t>(block.size())),
+                                 bounds != bounds_.end() ? bounds->second : proof.no_bounds(),
                                  contact, separated, node.numbers);
     case Claim::form:
       return proof.prove_by_form(node.numbers);
