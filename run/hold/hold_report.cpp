@@ -159,7 +159,8 @@ std::vector<wedged::ExcludedLoad> excluded_loads(const HoldOptions& options,
   }
   if (findings.points.size() != 1 || options.points.size() != 1 || options.parameters.total)
     return {};
-  const auto& [mu, found, grip] = findings.points.front();
+  const double mu = findings.points.front().mu;
+  const auto& found = findings.points.front().factors;
   if (found.any_by_supports || found.any_by_wedging || found.not_in_equilibrium) return {};
   const bool dead = loaded.has_dead_part();
   if (found.intervals.empty()) {
@@ -172,7 +173,8 @@ std::vector<wedged::ExcludedLoad> excluded_loads(const HoldOptions& options,
     const double along = side == Side::less ? -1 : 1;
     all.push_back({mu, dead ? wedged::LoadShare{1, out} : wedged::LoadShare{0, along}, side});
   };
-  const auto& [first, last] = std::tie(found.intervals.front(), found.intervals.back());
+  const auto& first = found.intervals.front();
+  const auto& last = found.intervals.back();
   add(first.low, first.low_out.value, Side::less);
   add(last.high, last.high_out.value, Side::more);
   return all;
