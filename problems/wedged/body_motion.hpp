@@ -23,7 +23,7 @@ struct BodyMotion {
   double largest = 0;                ///< by which the given displacements are divided
 };
 
-/// The least motion, in the sense of the modes of the bodies.
+/// The motion with the least sum of squares of the coefficients of the modes.
 /// @param displacements of the candidates, dm, as WedgedProblem; a combination of rigid-body modes
 BodyMotion body_motion(const CheckedStructure& structure, const Eigen::VectorXd& displacements);
 

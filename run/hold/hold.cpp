@@ -204,7 +204,7 @@ void Hold::describe(OptionTable& table) {
       "--cuts", options_.parameters.tightening, cuts_words(),
       "cuts from bounds of the reaction and the gap of each candidate under the loads, added "
       "to every node: for large trees (auto), never (none), or always (always). The trees "
-      "of diagrams have none");
+      "of diagrams have none, nor have, with --certificate, those of --grip");
   table.output();
   table.csv_of("intervals, or of the vertices of the pieces");
   table.further_output("--svg", "SVG file of the pieces, or of the intervals");

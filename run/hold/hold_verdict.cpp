@@ -86,9 +86,11 @@ std::string bodies_words(const problems::BodyMotion& motion) {
     parts.push_back(
         fmt::format("the body of node {} {}", support::in_quotes(body.node), body.words));
   }
-  auto text = fmt::format("{}", fmt::join(parts, ", "));
   const auto more = motion.bodies.size() - parts.size();
-  if (more > 0) text += fmt::format(", and {} more {}", more, more == 1 ? "moves" : "move");
+  if (more > 0) parts.push_back(fmt::format("{} more {}", more, more == 1 ? "moves" : "move"));
+  std::string text;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == parts.size() ? " and " : ", ") + parts[k];
   return text;
 }
 
@@ -102,7 +104,7 @@ std::string contacts_words(const wedged::LoadedProblem& loaded,
                ? answer::counted(set.size(), "candidate")
                : fmt::format("{}", fmt::join(candidate_names(loaded.problem, set), ", "));
   };
-  if (motion.opening.size() == static_cast<int>(loaded.problem.contact_names.size())) return {};
+  if (motion.opens_all) return {};
   std::vector<std::string> parts;
   if (!motion.sliding.empty()) parts.push_back("friction is used up at " + names(motion.sliding));
   if (!motion.opening.empty()) parts.push_back("contact is lost at " + names(motion.opening));
@@ -122,8 +124,8 @@ std::string exclusion_words(const wedged::LoadedProblem& loaded, const HoldFindi
     return motion.load.side == Side::more ? " a larger factor" : " a smaller factor";
   };
   return fmt::format(
-      "Why not{}: statics alone excludes it. On the motion on which {}, the load does work, and no "
-      "reaction within the friction cones resists.{}",
+      "Why not{}? Statics alone excludes it: if {}, the load does positive work, and no reaction "
+      "within its friction cone does negative work.{}",
       beyond(), bodies_words(motion.bodies), contacts_words(loaded, motion));
 }
 

@@ -177,10 +177,11 @@ void add_exclusions(Markup& page, const ResultReader& reader) {
       reader.list(reader.at(reader.all(), "result"), "excluding_motions", scenes.size());
   const auto& units = reader.at(reader.at(reader.all(), "problem"), "units");
   page.open("section", {{"id", "why-not"}}).element("h2", "Why other loads cannot be held");
-  page.element("p",
-               "On each of these motions the load does work, and no reaction within the friction "
-               "cones resists, whatever the stiffness. It shows that the load cannot be held; "
-               "it is not the one that follows.");
+  page.element(
+      "p",
+      "On each of these motions the load does positive work, and no reaction within its friction "
+      "cone does negative work, whatever the stiffness. It shows that the load cannot be held; it "
+      "is not the motion that follows.");
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     const auto id = fmt::format("why-not-{}", k + 1);
     page.open("div", {{"class", "beside"}}).open("figure");

@@ -518,7 +518,7 @@ TEST_F(LossCommand, OneClaimForCasesThatDifferIsRefused) {
   twice.replace(twice.rfind("\ntheorem 1"), 10, "\ntheorem 2");
   std::ofstream(in_folder("cert")) << twice;
   EXPECT_THAT(verified_after("end", "end"),
-              HasSubstr("load cases of different names, none without one beside others"));
+              HasSubstr("different names of load cases; only a single one may have none"));
   std::ofstream(in_folder("cert")) << once;
   const auto none = verified_after("case\n", "case lift\n");
   EXPECT_THAT(none, HasSubstr("refused: "));

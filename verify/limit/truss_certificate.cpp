@@ -83,7 +83,9 @@ Structure read_truss(Lines& lines) {
   }
   const auto bars = lines.count("members");
   const std::string of_bar =
-      "two nodes at different places, and yield forces, that after buckling at most compression";
+      "two nodes at different places, and yield forces in tension, in compression and after "
+      "buckling, "
+      "the last one at most the second";
   for (std::size_t k = 0; k < bars; ++k) {
     begin(lines, "member", ", " + of_bar);
     auto& bar = truss.bars.emplace_back();
@@ -290,10 +292,10 @@ std::vector<Case> read_cases(Lines& lines, const Structure& truss) {
   const auto count = count_copies(lines, "cases", truss);
   for (auto left = count; left > 0; --left) {
     auto next = read_case(lines, truss);
-    // A case without a name is one of the file, which has another name.
+    // A case without a name is one of those of the file, which have names.
     if ((count > 1 && next.first.empty()) ||
         std::ranges::find(cases, next.first, &Case::first) != cases.end())
-      lines.refuse("load cases of different names, none without one beside others");
+      lines.refuse("different names of load cases; only a single one may have none");
     cases.push_back(std::move(next));
   }
   return cases;

@@ -88,9 +88,10 @@ ProofResult InfeasibilityProof::prove_unconstrained() const {
     return std::ranges::any_of(std::array{0.0, small_multiplier},
                                [&](double small) { return !refusal(equilibrium.nearly(small)); });
   };
-  // Cuts of bounds that leave them out prove nothing more.
-  if (!combination_.of_cuts.empty() && bounds_.except_large_displacements())
-    return except_large_displacements() ? ProofResult{{}, true} : ProofResult{not_in_equilibrium};
+  // If a bound leaves out large displacements, so does this proof, which is tried first then.
+  if (!combination_.of_cuts.empty() && bounds_.except_large_displacements() &&
+      except_large_displacements())
+    return {{}, true};
   // The attempts: all multipliers; without those that are positive only by the barrier; the
   // rigid-body mode alone; with some nonnegative ones raised.
   for (const auto& [small, raised] :

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "nodes/wedged/hold/rigid_contradiction.hpp"
 #include "problems/wedged/problem_block.hpp"
@@ -26,9 +27,15 @@ bool is_in_range(const LoadedProblem& block, double mu) {
   return std::ranges::all_of(block.problem.friction, in_range);
 }
 
-// Displacements of all candidates; nothing if there is no such motion of any block.
-std::optional<Eigen::VectorXd> motion_of_a_block(const LoadedProblem& whole,
-                                                 const ExcludedLoad& load) {
+/// Displacements of all candidates, zero outside of one subproblem.
+struct MotionOfBlock {
+  support::IndexSet candidates;
+  Eigen::VectorXd displacements;
+};
+
+// Nothing if there is no such motion of any subproblem.
+std::optional<MotionOfBlock> motion_of_a_block(const LoadedProblem& whole,
+                                               const ExcludedLoad& load) {
   const Eigen::Index d = whole.problem.dimension;
   for (const auto& candidates : problems::blocks_of(whole.problem)) {
     const LoadedProblem block = loaded_block(whole, candidates);
@@ -46,7 +53,7 @@ std::optional<Eigen::VectorXd> motion_of_a_block(const LoadedProblem& whole,
       motion.segment(d * i, d) = -own.segment(row, d);
       row += d;
     }
-    return motion;
+    return MotionOfBlock{candidates, std::move(motion)};
   }
   return {};
 }
@@ -59,19 +66,21 @@ std::optional<ExcludingMotion> excluding_motion(const problems::CheckedStructure
   if (work_on_other_modes(whole, load.share) > negligible_work) return {};
   const auto motion = motion_of_a_block(whole, load);
   if (!motion) return {};
-  ExcludingMotion found{.load = load, .bodies = problems::body_motion(structure, *motion)};
+  ExcludingMotion found{.load = load,
+                        .bodies = problems::body_motion(structure, motion->displacements)};
   const double largest = found.bodies.largest;
   if (!(largest > 0) || !std::isfinite(largest) || found.bodies.bodies.empty()) return {};
   const Eigen::Index d = structure->dimension;
   for (int i = 0; i < static_cast<int>(structure->contact.size()); ++i) {
-    const Eigen::VectorXd own = motion->segment(d * i, d) / largest;
+    const Eigen::VectorXd own = motion->displacements.segment(d * i, d) / largest;
     const double slides = own.tail(d - 1).norm();
     const double mu = load.friction * whole.problem.friction[static_cast<std::size_t>(i)];
     if (own[0] > mu * slides + negligible_velocity)
       found.opening.insert(i);
-    else if (slides > negligible_velocity)
+    else if (mu > 0 && slides > negligible_velocity)
       found.sliding.insert(i);
   }
+  found.opens_all = found.opening == motion->candidates;
   return found;
 }
 

@@ -29,13 +29,15 @@ struct ExcludedLoad {
 struct ExcludingMotion {
   ExcludedLoad load{};
   problems::BodyMotion bodies{};
-  support::IndexSet sliding{};  ///< candidates that open only as fast as sliding demands
+  support::IndexSet sliding{};  ///< candidates with friction that open only as sliding demands
   support::IndexSet opening{};  ///< candidates that open faster
+  bool opens_all = false;       ///< all of the subproblem do
 };
 
 /// The motion, in floating point. Nothing if there is none with a margin at every candidate, which
 /// needs that no reactions within the friction cones balance each other; if that is numerically
-/// undecided; or if the load also moves a body where no candidate resists.
+/// undecided; if the load also moves a body where no candidate resists; or of a subproblem of more
+/// than 200 candidates.
 /// @param whole of the structure, in its load case
 std::optional<ExcludingMotion> excluding_motion(const problems::CheckedStructure& structure,
                                                 const LoadedProblem& whole,

@@ -103,7 +103,8 @@ void record_tree(engine::Analysis& analysis, const RecordedBlock& block, TreeEvi
   if (record.tree(block.number, evidence)) return;
   TreeEvidence without_bounds{evidence.mu, std::move(evidence.shares), evidence.grip,
                               evidence.except_dead};
-  without_bounds.max_nodes = evidence.max_nodes;
+  constexpr std::uint64_t larger = 100;  // a tree without bounds may be far larger
+  without_bounds.max_nodes = evidence.max_nodes.value_or(larger * evidence.opened);
   record_tree(analysis, block, std::move(without_bounds), record);
 }
 
@@ -112,7 +113,8 @@ void record_state(engine::Analysis& analysis, const RecordedBlock& block,
                   const std::optional<GripRestriction>& grip, HoldRecord& record) {
   std::vector<LoadShare> shares;
   if (share) shares.push_back(*share);
-  // A state of smooth candidates is one of candidates with less friction than the solver takes.
+  // Friction below the least coefficient of the solver counts as none: such a state is one with more
+  // friction, too.
   LoadedProblem problem = block.problem;
   for (double& factor : problem.problem.friction)
     if (block.mu * factor < min_friction) factor = 0;

@@ -112,7 +112,9 @@ std::string described(const Structure& structure, const UnconstrainedBody& body,
   return fmt::format("turns about the axis through {} along {} by the right-hand rule{}",
                      place_words(place, same_place * (body.size + body.centre.norm())),
                      place_words(omega.normalized(), visible_velocity),
-                     std::abs(pitch) > visible_velocity * body.size ? " and moves along it" : "");
+                     std::abs(pitch) <= visible_velocity * body.size ? ""
+                     : pitch > 0                                     ? " and moves along it"
+                                                                     : " and moves against it");
 }
 
 }  // namespace kusabi::problems
