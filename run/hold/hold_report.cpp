@@ -162,7 +162,7 @@ std::vector<wedged::ExcludedLoad> excluded_loads(const HoldOptions& options,
   const double mu = findings.points.front().mu;
   const auto& found = findings.points.front().factors;
   if (found.any_by_supports || found.any_by_wedging || found.not_in_equilibrium) return {};
-  const bool dead = loaded.has_dead_part();
+  const bool dead = loaded.has_dead;  // clearances do no work
   if (found.intervals.empty()) {
     if (!dead || found.unresolved) return {};
     return {{mu, dead_alone, Side::alone}};

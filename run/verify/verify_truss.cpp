@@ -333,6 +333,7 @@ std::string cases_at_residual_text(const Theorems& at_strength, const Theorems& 
   const auto cases = cases_of(after_buckling);
   if (cases == cases_of(at_strength)) return {};
   std::vector<std::string> names;
+  names.reserve(cases.size());
   for (const auto& each : cases) names.push_back(support::in_quotes(each));
   return fmt::format("the claims at residual strength are for load case{} {} only\n",
                      cases.size() == 1 ? "" : "s", fmt::join(names, ", "));

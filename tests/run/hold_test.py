@@ -309,6 +309,13 @@ class Hold(KusabiCase):
         result = self.solve("hold", self.problem(text))
         self.assertIn("Why not? Statics alone excludes it: if ", " ".join(result["verdict"]["details"]))
 
+    def test_gaps_alone_name_the_direction_of_the_reference_load(self):
+        # A block with a gap below it and no weight: any pull lifts it, and there is no factor of it beside 0.
+        text = BLOCK + "clearance = 0.001\n" + LOAD.format('"block.0,1", "block.1,1"', "[0, -1]").replace("dead", "reference")
+        result = self.solve("hold", self.problem(text), "--mu", 0.5)
+        (less,) = result["result"]["excluding_motions"]
+        self.assertEqual(less["factor"], -1)
+
     def test_a_part_may_need_less_friction_than_the_solver_takes(self):
         # One block needs a coefficient of 1e-7, the other one none; 1e-6 times its factor is below the least of the solver.
         other = BLOCK[len(HEAD):].replace("block", "other").replace("[[0, 0], [1, 0], [1, 1], [0, 1]]", "[[5, 0], [6, 0], [6, 1], [5, 1]]")

@@ -19,6 +19,15 @@ constexpr double negligible_velocity = 1e-3;
 /// The motion of more candidates is not computed: it is only an explanation.
 constexpr int most_candidates = 200;
 
+// True if a load does work on some motion of the block.
+bool does_work(const LoadedProblem& block, const LoadShare& share) {
+  const auto acts_with = [&](double amount, bool present, Eigen::Index load) {
+    return present && amount != 0 && !block.loads.motions.row(load).isZero(0);
+  };
+  return acts_with(share.dead, block.has_dead, 0) ||
+         acts_with(share.reference, block.has_reference, block.has_dead ? 1 : 0);
+}
+
 bool is_in_range(const LoadedProblem& block, double mu) {
   const auto in_range = [&](double factor) {
     const double own = mu * factor;
@@ -39,7 +48,7 @@ std::optional<MotionOfBlock> motion_of_a_block(const LoadedProblem& whole,
   const Eigen::Index d = whole.problem.dimension;
   for (const auto& candidates : problems::blocks_of(whole.problem)) {
     const LoadedProblem block = loaded_block(whole, candidates);
-    if (block.problem.modes.matrix.cols() == 0 || !is_loaded(block) ||
+    if (block.problem.modes.matrix.cols() == 0 || !does_work(block, load.share) ||
         candidates.size() > most_candidates || !is_in_range(block, load.friction))
       continue;
     const auto all = problems::all_candidates(block.problem);
@@ -61,8 +70,8 @@ std::optional<MotionOfBlock> motion_of_a_block(const LoadedProblem& whole,
 }  // namespace
 
 std::optional<ExcludingMotion> excluding_motion(const problems::CheckedStructure& structure,
-                                                const LoadedProblem& whole,
-                                                const ExcludedLoad& load) {
+                                                const LoadedProblem& whole, ExcludedLoad load) {
+  if (!std::isnormal(load.share.reference)) load.share.reference = 0;  // beside an end at 0
   if (work_on_other_modes(whole, load.share) > negligible_work) return {};
   const auto motion = motion_of_a_block(whole, load);
   if (!motion) return {};

@@ -40,7 +40,6 @@ struct ExcludingMotion {
 /// than 200 candidates.
 /// @param whole of the structure, in its load case
 std::optional<ExcludingMotion> excluding_motion(const problems::CheckedStructure& structure,
-                                                const LoadedProblem& whole,
-                                                const ExcludedLoad& load);
+                                                const LoadedProblem& whole, ExcludedLoad load);
 
 }  // namespace kusabi::wedged
