@@ -24,8 +24,7 @@ CandidateBound read_bound(Lines& lines, const Certificate& certificate) {
   bound.line = lines.number();
   bound.theorem = read_theorem_number(lines, certificate);
   const auto& theorem = certificate.theorems[bound.theorem];
-  if (theorem.weights.size() != theorem.shares.size())
-    lines.refuse("the number of a theorem without loads, or with their weights");
+  refuse_without_weights(lines, theorem);
   const auto& block = certificate.blocks[theorem.block];
   const std::string candidate = "a contact candidate of the block, counted from 0";
   const auto number = lines.integer(10, candidate);

@@ -50,6 +50,8 @@ struct Theorem {
   bool except_dead = false;
 
   [[nodiscard]] bool about_wedged() const { return shares.empty(); }
+  /// True if bounds and cuts may refer to it.
+  [[nodiscard]] bool may_have_bounds() const { return weights.size() == shares.size(); }
 };
 
 /// Statement of a certificate on a node.

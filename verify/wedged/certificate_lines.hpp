@@ -18,6 +18,9 @@ std::size_t read_block_number(Lines& lines, const Certificate& certificate);
 /// The theorem number in the next word, counted from 0.
 std::size_t read_theorem_number(Lines& lines, const Certificate& certificate);
 
+/// Refuses a bound or a cut of a theorem with loads whose weights are not there.
+void refuse_without_weights(const Lines& lines, const Theorem& theorem);
+
 /// Name of the numbers of a node `infeasible` or of a bound in messages.
 /// @param motions of its block
 std::string multipliers_of(std::size_t motions);

@@ -106,8 +106,7 @@ Node read_node(Lines& lines, Claim claim, const Certificate& certificate) {
   const auto& block = certificate.blocks[theorem.block];
   if (claim == Claim::form && !theorem.about_wedged())
     lines.refuse("the number of a theorem without loads, since forms are about these");
-  if (claim == Claim::cut && theorem.weights.size() != theorem.shares.size())
-    lines.refuse("the number of a theorem without loads, or with their weights");
+  if (claim == Claim::cut) refuse_without_weights(lines, theorem);
   read_sets(lines, block, false, node.contact, node.separated);
   const auto moving = certificate.motions_of(block).size();
   const auto own = static_cast<std::size_t>(block.size());
@@ -185,6 +184,11 @@ std::size_t read_theorem_number(Lines& lines, const Certificate& certificate) {
   const auto number = lines.integer(10, what);
   if (number < 1 || number > certificate.theorems.size()) lines.refuse(what);
   return number - 1;
+}
+
+void refuse_without_weights(const Lines& lines, const Theorem& theorem) {
+  if (!theorem.may_have_bounds())
+    lines.refuse("the number of a theorem without loads, or with their weights");
 }
 
 void read_theorems(Lines& lines, Certificate& certificate) {

@@ -95,8 +95,9 @@ std::optional<HoldResult> HoldNodes::solve_with_cuts(const LoadedPattern& node) 
   by_cuts_.reset();
   if (bounds_.empty()) return {};
   if (excludes_all(bounds_, node.contact, node.separated)) {
-    by_cuts_.emplace(2 * bounds_.size() + static_cast<std::size_t>(mean_motion_.count()) +
-                     (load_part().has_equation() ? 1 : 0));
+    if (wants_evidence_)
+      by_cuts_.emplace(2 * bounds_.size() + static_cast<std::size_t>(mean_motion_.count()) +
+                       (load_part().has_equation() ? 1 : 0));
     return HoldResult::infeasible;
   }
   const IndexSet free = all_ - (node.contact | node.separated);
@@ -162,15 +163,8 @@ bool HoldNodes::is_contradiction(const LoadedPattern& node) {
 
 ClosedNode HoldNodes::closed(const LoadedPattern& node) const {
   if (by_cuts_) return {node, *by_cuts_, true};
-  const Eigen::Index m = all_.size();
-  const Eigen::Index modes = mean_motion_.count();
-  const Eigen::Index motions = problem_.modes.matrix.cols();
-  Eigen::VectorXd own(m + modes);
-  own.head(m) = multipliers_.head(m);
-  own.tail(modes) = multipliers_.tail(motions).head(modes);
-  auto numbers = mean_motion_.with_multipliers(own, solver_.unit());
-  if (motions > modes) numbers.push_back(grip_unit_ * solver_.unit() * multipliers_.tail(1)[0]);
-  return {node, std::move(numbers)};
+  return {node, node_evidence(multipliers_, problem_.modes.matrix.cols(), solver_.unit(),
+                              mean_motion_, load_part())};
 }
 
 std::array<double, 3> HoldNodes::works() const {

@@ -28,8 +28,8 @@ constexpr double min_share_under_loads = 1e-3;
 
 /// Bounds are increased by this share, to leave the proofs a margin for rounding errors.
 constexpr double room = 1e-6;
-/// The same under loads: of bodies whose normals are parallel only up to the sixteenth digit, each
-/// bound is proved for large displacements, whose errors add up over hundreds of them.
+/// The same under loads, where proofs of bounds depend on hundreds of others: with less, some of a
+/// slab of 100 candidates are refused.
 constexpr double room_under_loads = 1e-4;
 
 /// Improvements of a bound below this share are not added.
@@ -98,6 +98,19 @@ std::vector<conic::Cut> cuts_of(const IndexSet& candidates,
   return cuts;
 }
 
+std::vector<double> node_evidence(const Eigen::VectorXd& multipliers, Eigen::Index motions,
+                                  double unit, const MeanMotion& mean_motion,
+                                  const LoadPart& part) {
+  const Eigen::Index m = mean_motion.candidates();
+  const Eigen::Index modes = mean_motion.count();
+  const Eigen::VectorXd beta = multipliers.tail(motions);
+  Eigen::VectorXd own(m + modes);
+  own << multipliers.head(m), beta.head(modes);
+  auto numbers = mean_motion.with_multipliers(own, unit);
+  if (part.has_equation()) numbers.push_back(part.equation_unit * unit * beta[motions - 1]);
+  return numbers;
+}
+
 std::vector<double> cut_evidence(const ContactSolver& solver, const MeanMotion& mean_motion,
                                  std::span<const conic::Cut> cuts, const LoadPart& part) {
   // Far smaller multipliers of cuts are due to the barrier of the interior-point method; those of an
@@ -105,12 +118,8 @@ std::vector<double> cut_evidence(const ContactSolver& solver, const MeanMotion& 
   constexpr double negligible_cut = 1e-7;
   const Eigen::Index m = solver.candidates() - part.loads;
   const auto y = solver.multipliers().head(m);
-  const Eigen::VectorXd beta = solver.motion_multipliers();
-  Eigen::VectorXd own(m + mean_motion.count());
-  own << y, beta.head(mean_motion.count());
-  auto numbers = mean_motion.with_multipliers(own, solver.unit());
-  if (part.has_equation())
-    numbers.push_back(part.equation_unit * solver.unit() * beta[beta.size() - 1]);
+  auto numbers = node_evidence(solver.multipliers(), solver.motion_multipliers().size(),
+                               solver.unit(), mean_motion, part);
   const double least = mean_motion.count() == 0 ? 0 : negligible_cut * y.cwiseAbs().maxCoeff();
   const auto first = numbers.size();
   numbers.resize(first + static_cast<std::size_t>(m));

@@ -91,6 +91,13 @@ struct LoadPart {
   [[nodiscard]] bool has_equation() const { return equation != conic::SideEquation::none; }
 };
 
+/// Evidence of multipliers without cuts, in units of the problem: those of the normal displacements, m,
+/// the mean motion of w, p, and with an equation its multiplier.
+/// @param multipliers as ContactSolver::multipliers()  @param motions columns of the problem's modes
+/// @param mean_motion of the problem without loads
+std::vector<double> node_evidence(const Eigen::VectorXd& multipliers, Eigen::Index motions,
+                                  double unit, const MeanMotion& mean_motion, const LoadPart& part);
+
 /// Evidence of a solution with cuts, in units of the problem: its multipliers of the normal
 /// displacements, m, the mean motion of w, p, with an equation its multiplier, and by candidate those
 /// of s >= u_n / gap + r_n / reaction, m.

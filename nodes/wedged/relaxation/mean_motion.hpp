@@ -18,6 +18,9 @@ class MeanMotion {
   /// The number p of rigid-body modes.
   [[nodiscard]] Eigen::Index count() const { return mean_.rows(); }
 
+  /// m.
+  [[nodiscard]] Eigen::Index candidates() const { return mean_of_y_.cols(); }
+
   /// (G'G)^-1 G'u. @param displacements u, dm
   [[nodiscard]] Eigen::VectorXd of(const Eigen::VectorXd& displacements) const {
     return mean_ * displacements;
