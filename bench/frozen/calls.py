@@ -104,7 +104,7 @@ def _cases():
 def _pages():
     """Summaries of problem files; help, manual pages and completion; messages about wrong calls."""
     examples = SOURCES / "examples"
-    for path in sorted([*examples.glob("*.toml"), *examples.glob("paper/*.toml")]):
+    for path in sorted([*examples.glob("*.toml"), *examples.glob("paper/*.toml"), *examples.glob("statics/*.toml")]):
         name = str(path.relative_to(SOURCES))
         words = ("show", name, "--html", "page.html", "--vtu", "picture.vtu")
         yield Call(f"show {path.relative_to(examples).with_suffix('')}", (Step("run", words),), quick=True)

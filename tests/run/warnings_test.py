@@ -168,7 +168,7 @@ class Warnings(Problems):
         self.assertIn("expected friction_factor only", self.refused("show", self.groove("friction = 1\nfriction_factor = 1\n")))
 
     def test_correct_files_have_no_warnings(self):
-        for file in (*EXAMPLES.glob("*.toml"), *(EXAMPLES / "paper").glob("*.toml"), *CASES.glob("*.toml")):
+        for file in (*EXAMPLES.rglob("*.toml"), *CASES.glob("*.toml")):
             if file.name not in ("dup.toml", "long_lever_critical.toml", "lever_1e12.toml"):
                 message = self.kusabi("show", file).stderr
                 for fault in ("nothing joins", "candidates are not on", "former name of friction_factor"):
