@@ -25,7 +25,7 @@ TEST(LeastSquares, FindsTheMotionOfALongLever) {
     for (std::size_t k = 0; k < 3; ++k) sum += matrix[3 * row + k] * shares[k];
     right.push_back(sum);
   }
-  const auto found = least_squares(matrix, right);
+  const auto found = LeastSquares(matrix, right.size()).solve(right);
   ASSERT_TRUE(found);
   // Rounding of products of the order of 6e6.
   for (std::size_t row = 0; row < 6; ++row) {
@@ -36,15 +36,15 @@ TEST(LeastSquares, FindsTheMotionOfALongLever) {
 }
 
 TEST(LeastSquares, HasTheLeastResidual) {
-  const auto found = least_squares(std::vector{1.0, 0.0, 1.0, 1.0, 1.0, 2.0},
-                                   std::vector{0.0, 1.0, 1.0});  // a line through three points
+  const auto found = LeastSquares(std::vector{1.0, 0.0, 1.0, 1.0, 1.0, 2.0}, 3)
+                         .solve(std::vector{0.0, 1.0, 1.0});  // a line through three points
   ASSERT_TRUE(found);
   EXPECT_NEAR((*found)[0], 1.0 / 6, 1e-15);
   EXPECT_NEAR((*found)[1], 0.5, 1e-15);
 }
 
 TEST(LeastSquares, RefusesAColumnOfZeros) {
-  EXPECT_FALSE(least_squares(std::vector{1.0, 0.0, 2.0, 0.0}, std::vector{1.0, 1.0}));
+  EXPECT_FALSE(LeastSquares(std::vector{1.0, 0.0, 2.0, 0.0}, 2).solve(std::vector{1.0, 1.0}));
 }
 
 }  // namespace

@@ -124,11 +124,12 @@ BlockModel::BlockModel(ContactBlock block) : block_(std::move(block)) {
   if (springs.size() != p) return;  // the modes are dependent
   // Column by column: the recorded mode as a combination of the block's modes.
   own_of_recorded_.resize(p * p);
+  const LeastSquares of_own(near_motions_, block_.motions.rows.size());
   for (std::size_t column = 0; column < p; ++column) {
     std::vector<double> motion;
     for (std::size_t at = column; at < block_.recorded_motions.size(); at += p)
       motion.push_back(block_.recorded_motions[at]);
-    const auto own = least_squares(near_motions_, motion);
+    const auto own = of_own.solve(motion);
     if (!own) return;
     for (std::size_t k = 0; k < p; ++k) own_of_recorded_[p * k + column] = (*own)[k];
   }
@@ -210,7 +211,7 @@ Rationals BlockModel::missing_motion(const std::vector<double>& mean, const Dyad
       moves.push_back(sum);
     }
   }
-  const auto shares = least_squares(moves, rest);
+  const auto shares = LeastSquares(moves, rows).solve(rest);
   Rationals result(p);
   for (std::size_t j = 0; shares && j < among.size(); ++j) {
     if (!std::isfinite((*shares)[j])) continue;

@@ -107,6 +107,7 @@ std::optional<std::string> other_motions(const Certificate& certificate,
            " rigid-body modes of unconstrained bodies, the structure has " + std::to_string(p);
   }
   const auto own = motions.nearest();
+  const LeastSquares of_own(own, motions.rows.size());
   for (std::size_t k = 0; k < p; ++k) {
     std::vector<double> column;
     double largest = 0;
@@ -114,7 +115,7 @@ std::optional<std::string> other_motions(const Certificate& certificate,
       column.push_back(certificate.motion_values[p * row + k]);
       largest = std::max(largest, std::abs(column.back()));
     }
-    const auto parts = least_squares(own, column);
+    const auto parts = of_own.solve(column);
     for (std::size_t row = 0; row < column.size(); ++row) {
       double moves = 0;
       for (std::size_t j = 0; parts && j < p; ++j) moves += own[p * row + j] * (*parts)[j];

@@ -167,9 +167,10 @@ std::optional<std::vector<double>> FormMatrix::equilibrium_factors(std::span<con
   std::vector<double> factors(p * n);
   std::vector<double> moved(p * p);  // S G'T G
   std::vector<double> column(size);
+  const LeastSquares of_motions(motions, size);
   for (std::size_t l = 0; l < n; ++l) {
     for (std::size_t k = 0; k < size; ++k) column[k] = at(k, l).nearest();
-    const auto shares = least_squares(motions, column);
+    const auto shares = of_motions.solve(column);
     if (!shares) return {};
     for (std::size_t q = 0; q < p; ++q) {
       factors[n * q + l] = -(*shares)[q];
@@ -181,7 +182,7 @@ std::optional<std::vector<double>> FormMatrix::equilibrium_factors(std::span<con
   for (std::size_t l = 0; l < size; ++l) {
     std::ranges::fill(column, 0);
     column[l] = 1;
-    const auto shares = least_squares(motions, column);  // S G'
+    const auto shares = of_motions.solve(column);  // S G'
     for (std::size_t q = 0; shares && q < p; ++q)
       for (std::size_t s = 0; s < p; ++s) factors[n * q + l] += moved[p * q + s] * (*shares)[s] / 2;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "nodes/wedged/hold/block_hold.hpp"
 
@@ -12,6 +13,10 @@ namespace {
 /// Relative steps below a leaf's own coefficient at which the tree is searched if it is degenerate
 /// there.
 constexpr std::array<double, 4> steps_below{0, 1e-8, 1e-6, 1e-4};
+
+/// Relative step above the coefficient that statics needs at which the first tree is searched: near
+/// enough for the pattern to be that of the end, far enough for its nodes to be solved in doubles.
+constexpr double beside_statics = 1e-3;
 
 /// The least friction factor that is not zero; infinite if there is none.
 double min_of_factors(const problems::WedgedProblem& problem) {
@@ -117,6 +122,9 @@ HoldingFriction BlockHold::friction() {
     return found;
   }
   found.maximum = std::min(parameters_.maximum, max_friction / maximum);
+  expected_ = by_first_rank([&](const support::Stop& stop) {
+    return static_friction(block_, minimum, found.maximum, stop);
+  });
   if (!first_bracket(found)) return found;
   follow(found, minimum);
   if (ended_ && found.status == engine::Status::solved) found.status = analysis_.stop_reason();
@@ -124,8 +132,8 @@ HoldingFriction BlockHold::friction() {
   return found;
 }
 
-// Coefficients 0, 1, 10, ... up to the first at which a leaf has a state. False if nothing is left
-// to bisect.
+// Coefficients 0, the one that statics needs, 1, 10, ... up to the first at which a leaf has a state.
+// False if nothing is left to bisect.
 bool BlockHold::first_bracket(HoldingFriction& found) {
   const std::array share{LoadShare{1, 0}};
   const auto smooth = search(share, 0, 0, 0);
@@ -133,13 +141,20 @@ bool BlockHold::first_bracket(HoldingFriction& found) {
   if (found.status != engine::Status::solved) return false;
   if (take_upper(found, smooth, 0)) return false;
   take_lower(found, smooth, 0);
-  for (double mu = std::min(1.0, found.maximum); mu > 0; mu = std::min(10 * mu, found.maximum)) {
+  std::vector<double> trials;
+  if (expected_) trials.push_back(std::min(*expected_ * (1 + beside_statics), found.maximum));
+  for (double mu = 1; mu < found.maximum; mu *= 10) trials.push_back(mu);
+  trials.push_back(found.maximum);
+  for (const double mu : trials) {
+    if (mu <= found.bracket.at_least()) continue;
     const auto outcome = search(share, mu, 0, 0);
     found.status = outcome.status;
     if (found.status != engine::Status::solved) return false;
+    // States at a limit so near the end of statics say nothing of those at larger coefficients.
+    const bool beside = expected_ && mu == trials.front() && mu < found.maximum;
+    if (beside && outcome.leaves.empty() && !outcome.is_infeasible()) continue;
     if (take_upper(found, outcome, mu)) return true;
     take_lower(found, outcome, mu);
-    if (mu >= found.maximum) return false;
   }
   return false;
 }
@@ -161,7 +176,9 @@ void BlockHold::follow(HoldingFriction& found, double minimum) {
       found.bracket.upper->value = minimum;
       return;
     }
-    const Ends ends = bisect({upper->value, start}, 0, result_at);
+    Ends ends{upper->value, start};
+    if (expected_) ends = approach(ends, *expected_, 0, result_at);
+    ends = bisect(ends, 0, result_at);
     found.bracket.upper->value = ends.feasible;
     if (ends.infeasible <= found.bracket.at_least() || prove_lower(found, ends.infeasible)) return;
   }

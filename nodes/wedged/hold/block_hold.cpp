@@ -17,8 +17,8 @@ namespace {
 
 using support::Standing;
 
-/// Maximum number of intervals of one block.
-constexpr int max_intervals = 64;
+/// Maximum number of ranges of one block that are searched.
+constexpr int max_ranges = 128;
 
 std::vector<LoadShare> range_of(double low, double high) {
   std::vector<LoadShare> shares;
@@ -38,6 +38,18 @@ double factor_in(const LoadedLeaf& leaf, std::span<const LoadShare> shares) {
     reference += leaf.amounts[j] * shares[j].reference;
   }
   return reference / dead;
+}
+
+// The factors of a pattern between two intervals of its own: its states are convex.
+HeldInterval hull_of(const HeldInterval& one, const HeldInterval& other) {
+  const bool higher = one.high > other.high ||
+                      (one.high == other.high && one.high_out.value <= other.high_out.value);
+  HeldInterval hull = higher ? one : other;
+  const auto& lower = one.low <= other.low ? one : other;
+  hull.low = lower.low;
+  hull.low_out = lower.low_out;
+  hull.standing = both(one.standing, other.standing);
+  return hull;
 }
 
 }  // namespace
@@ -150,12 +162,19 @@ HeldFactors BlockHold::homogeneous_factors(double mu) {
   return found;
 }
 
-// Adds the interval of a leaf, and removes it from the unknown ranges, up to the factors that the
-// pattern does not hold. An end without one leaves the rest unknown.
+// Adds the interval of a leaf, with all between it and others of its pattern, and removes it from the
+// unknown ranges, up to the factors that the pattern does not hold. An end without one leaves the
+// rest unknown.
 void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard standard,
                      HeldFactors& found, std::vector<FactorRange>& unknown, double mu) {
   const double from = factor_in(leaf, range_of(low, high));
-  const HeldInterval held = interval(leaf.pattern, from, mu, standard);
+  HeldInterval held = interval(leaf.pattern, from, mu, standard);
+  const double own_low = held.low, own_high = held.high;
+  std::erase_if(found.intervals, [&](const HeldInterval& each) {
+    const bool same = each.pattern == held.pattern && each.standing == held.standing;
+    if (same) held = hull_of(held, each);
+    return same;
+  });
   // The range beyond an end near 0 is searched by itself.
   const auto is_open = [&](const support::Bound& out, double own) {
     return !out.proved() && !(may_end_at_zero(own, out.value) && holds_zero(mu));
@@ -175,7 +194,7 @@ void BlockHold::take(const LoadedLeaf& leaf, double low, double high, Standard s
   }
   unknown = std::move(left);
   found.intervals.push_back(held);
-  if (standard == Standard::proved) pieces_.push_back({leaf.pattern, held.low, held.high, from});
+  if (standard == Standard::proved) pieces_.push_back({leaf.pattern, own_low, own_high, from});
 }
 
 // Degenerate states of a range: the rest of it beside the first of them that has an interval is
@@ -197,7 +216,7 @@ bool BlockHold::take_limits(std::span<const LoadedLeaf> limits, double low, doub
 
 void BlockHold::explore(HeldFactors& found, std::vector<FactorRange>& empty_ranges, double mu) {
   std::vector<FactorRange> unknown{{-unbounded_end, 0, true}, {0, unbounded_end, true}};
-  while (!unknown.empty()) {
+  for (int range = 0; !unknown.empty(); ++range) {
     const auto [low, high, proved] = unknown.back();
     const auto shares = range_of(low, high);
     auto outcome = search(shares, mu, low, high);
@@ -208,8 +227,7 @@ void BlockHold::explore(HeldFactors& found, std::vector<FactorRange>& empty_rang
     const bool except_zero = !decided && beside_zero && holds_zero(mu);
     if (except_zero) outcome = search(shares, mu, low, high, true);
     if (outcome.status != engine::Status::solved) found.status = outcome.status;
-    if (found.status != engine::Status::solved ||
-        static_cast<int>(found.intervals.size()) >= max_intervals) {
+    if (found.status != engine::Status::solved || range >= max_ranges) {
       found.unresolved = true;
       for (const FactorRange& each : unknown) empty_ranges.push_back({each.low, each.high, false});
       return;
@@ -275,6 +293,8 @@ HeldFactors BlockHold::factors(double mu, bool with_dead) {
     return found;
   }
   if (!with_dead && !grip_) return homogeneous_factors(mu);
+  statics_ = by_first_rank(
+      [&](const support::Stop& stop) { return static_range(block_, mu, parameters_.total, stop); });
   std::vector<FactorRange> empty_ranges;
   zero_searched_ = false;
   zero_.reset();

@@ -6,10 +6,13 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "engine/analysis/analysis.hpp"
+#include "engine/collectives.hpp"
 #include "nodes/wedged/hold/hold_search.hpp"
+#include "nodes/wedged/hold/statics.hpp"
 
 namespace kusabi::wedged {
 
@@ -108,6 +111,8 @@ class BlockHold {
                                       Standard standard) const;
   Ends extend(const LoadedPattern& pattern, double from, int direction, double mu,
               Standard standard) const;
+  Ends approach(Ends ends, double expected, double floor,
+                const std::function<HoldResult(double)>& result_at) const;
   Ends bisect(Ends ends, double floor, const std::function<HoldResult(double)>& result_at) const;
   void explore(HeldFactors& found, std::vector<FactorRange>& empty_ranges, double mu);
   void take(const LoadedLeaf& leaf, double low, double high, Standard standard, HeldFactors& found,
@@ -121,6 +126,16 @@ class BlockHold {
   void narrow(HoldingFriction& found);
   bool prove_lower(HoldingFriction& found, double max_infeasible);
   [[nodiscard]] double factor_scale() const;
+  // A number, or nothing, by floating-point programs in which ranks may differ.
+  template <class Make>
+  auto by_first_rank(Make make) {
+    using Value = typename std::invoke_result_t<Make, support::Stop>::value_type;
+    const auto list = engine::from_first_rank(analysis_.transport(), [&] {
+      const auto found = make(analysis_.budget().stop());
+      return found ? std::vector<Value>{*found} : std::vector<Value>();
+    });
+    return list.empty() ? std::nullopt : std::optional<Value>(list.front());
+  }
   // True on all ranks if the analysis is to end: long bisections then do so.
   [[nodiscard]] bool ended() const {
     ended_ = ended_ || (together_ && analysis_.ended());
@@ -132,6 +147,9 @@ class BlockHold {
   const HoldParameters& parameters_;
   std::vector<HoldCost>& costs_;
   std::optional<GripRestriction> grip_{};
+  std::optional<StaticRange>
+      statics_{};                     // of the last coefficient: beside its ends bisection begins
+  std::optional<double> expected_{};  // the coefficient that statics needs, likewise
   bool recorded_;
   bool together_ = true;        // every rank makes the same calls
   mutable bool ended_ = false;  // a bisection was left

@@ -11,7 +11,11 @@ HoldOutcome search_for_state(engine::Analysis& analysis, const LoadedProblem& bl
                              TreeEvidence& tree, const HoldParameters& parameters, bool recorded) {
   TreeEvidence* const evidence = recorded ? &tree : nullptr;
   tree.max_nodes = parameters.nodes_of_evidence;
-  const auto new_tree = [&] { return tree_of(block, tree, parameters.precision); };
+  const auto new_tree = [&] {
+    auto made = tree_of(block, tree, parameters.precision);
+    made.try_suggested();
+    return made;
+  };
   const auto candidates = static_cast<int>(block.problem.contact_names.size());
   const bool automatic = parameters.tightening == Tightening::automatic;
   // All evidence is wanted.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "nodes/wedged/hold/rigid_contradiction.hpp"
+#include "nodes/wedged/hold/statics.hpp"
 #include "problems/wedged/problem_block.hpp"
 
 namespace kusabi::wedged {
@@ -16,17 +17,15 @@ namespace {
 /// beyond the end of its range leaves the motion as much freedom.
 constexpr double negligible_velocity = 1e-3;
 
-/// The motion of more candidates is not computed: it is only an explanation.
+/// In space the motion of more candidates is not computed: it is only an explanation.
 constexpr int most_candidates = 200;
 
-// True if a load does work on some motion of the block.
-bool does_work(const LoadedProblem& block, const LoadShare& share) {
-  const auto acts_with = [&](double amount, bool present, Eigen::Index load) {
-    return present && amount != 0 && !block.loads.motions.row(load).isZero(0);
-  };
-  return acts_with(share.dead, block.has_dead, 0) ||
-         acts_with(share.reference, block.has_reference, block.has_dead ? 1 : 0);
-}
+/// Relative distance from the end of a range at which the motion in the plane is computed: at the end
+/// itself the load does no work on it.
+constexpr double beyond_end = 1e-5;
+
+/// Negative work of the load at the end, beside the work of the load beyond it, that is rounding.
+constexpr double lost_work = 1e-3;
 
 bool is_in_range(const LoadedProblem& block, double mu) {
   const auto in_range = [&](double factor) {
@@ -42,24 +41,64 @@ struct MotionOfBlock {
   Eigen::VectorXd displacements;
 };
 
+Eigen::VectorXd works_of(const LoadedProblem& block, const LoadShare& share) {
+  const Eigen::MatrixXd works = block.loads.motions.cast<double>();
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(block.problem.modes.matrix.cols());
+  if (block.has_dead) sum += share.dead * works.row(0).transpose();
+  if (block.has_reference) sum += share.reference * works.row(block.has_dead ? 1 : 0).transpose();
+  return sum;
+}
+
+// The load a little beyond the end of a range.
+LoadShare beyond(const LoadedProblem& block, const ExcludedLoad& load) {
+  using Side = ExcludedLoad::Side;
+  auto share = load.share;
+  if (share.dead == 0 || (load.side != Side::less && load.side != Side::more)) return share;
+  const double reference = works_of(block, {0, 1}).norm();
+  const double ratio = reference > 0 ? works_of(block, {1, 0}).norm() / reference : 0;
+  share.reference +=
+      (load.side == Side::less ? -1 : 1) * beyond_end * std::max(std::abs(share.reference), ratio);
+  return share;
+}
+
+// Nothing if there is none. In space that is also so where reactions balance each other.
+// @param load changed to the load beyond its end if it is zero
+std::optional<Eigen::VectorXd> amounts_of_modes(const LoadedProblem& block, ExcludedLoad& load,
+                                                const support::Stop& stop) {
+  if (block.problem.dimension == 2) {
+    const auto share = beyond(block, load);
+    auto amounts = static_motion(block, share, load.friction, stop);
+    if (load.share.reference == 0) load.share = share;
+    // If statics ends elsewhere, the load itself does negative work.
+    if (amounts && works_of(block, load.share).dot(*amounts) <
+                       -lost_work * works_of(block, share).dot(*amounts))
+      amounts.reset();
+    return amounts;
+  }
+  if (block.problem.contact_names.size() > most_candidates) return {};
+  const auto all = problems::all_candidates(block.problem);
+  const auto beta = rigid_contradiction(block, std::array{load.share}, load.friction,
+                                        Precision::doubles, {{}, all});
+  if (!beta) return {};
+  return Eigen::VectorXd(-*beta);
+}
+
 // Nothing if there is no such motion of any subproblem.
-std::optional<MotionOfBlock> motion_of_a_block(const LoadedProblem& whole,
-                                               const ExcludedLoad& load) {
+std::optional<MotionOfBlock> motion_of_a_block(const LoadedProblem& whole, ExcludedLoad& load,
+                                               const support::Stop& stop) {
   const Eigen::Index d = whole.problem.dimension;
   for (const auto& candidates : problems::blocks_of(whole.problem)) {
     const LoadedProblem block = loaded_block(whole, candidates);
-    if (block.problem.modes.matrix.cols() == 0 || !does_work(block, load.share) ||
-        candidates.size() > most_candidates || !is_in_range(block, load.friction))
+    if (block.problem.modes.matrix.cols() == 0 || works_of(block, beyond(block, load)).isZero(0) ||
+        !is_in_range(block, load.friction))
       continue;
-    const auto all = problems::all_candidates(block.problem);
-    const auto beta = rigid_contradiction(block, std::array{load.share}, load.friction,
-                                          Precision::doubles, {{}, all});
-    if (!beta) continue;
-    const Eigen::VectorXd own = block.problem.modes.matrix * *beta;
+    const auto amounts = amounts_of_modes(block, load, stop);
+    if (!amounts) continue;
+    const Eigen::VectorXd own = block.problem.modes.matrix * *amounts;
     Eigen::VectorXd motion = Eigen::VectorXd::Zero(whole.problem.modes.matrix.rows());
     Eigen::Index row = 0;
     for (const int i : candidates) {
-      motion.segment(d * i, d) = -own.segment(row, d);
+      motion.segment(d * i, d) = own.segment(row, d);
       row += d;
     }
     return MotionOfBlock{candidates, std::move(motion)};
@@ -70,10 +109,13 @@ std::optional<MotionOfBlock> motion_of_a_block(const LoadedProblem& whole,
 }  // namespace
 
 std::optional<ExcludingMotion> excluding_motion(const problems::CheckedStructure& structure,
-                                                const LoadedProblem& whole, ExcludedLoad load) {
+                                                const LoadedProblem& whole, ExcludedLoad load,
+                                                const support::Stop& stop) {
   if (!std::isnormal(load.share.reference)) load.share.reference = 0;  // beside an end at 0
   if (work_on_other_modes(whole, load.share) > negligible_work) return {};
-  const auto motion = motion_of_a_block(whole, load);
+  if (whole.problem.dimension == 2 && load.side == ExcludedLoad::Side::less_friction)
+    load.friction *= 1 - beyond_end;
+  const auto motion = motion_of_a_block(whole, load, stop);
   if (!motion) return {};
   ExcludingMotion found{.load = load,
                         .bodies = problems::body_motion(structure, motion->displacements)};

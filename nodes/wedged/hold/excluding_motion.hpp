@@ -11,17 +11,19 @@
 #include "problems/structure/checks/checked_structure.hpp"
 #include "problems/wedged/body_motion.hpp"
 #include "support/index_set.hpp"
+#include "support/stop.hpp"
 
 namespace kusabi::wedged {
 
 /// A load that cannot be held, just beyond an answer.
 struct ExcludedLoad {
   enum class Side : std::int8_t {
-    less,   ///< below the smallest factor, or the smallest friction coefficient, that is held
-    more,   ///< above the largest factor
-    alone,  ///< nothing is held: the dead load alone
+    less_friction,  ///< the dead load below the smallest coefficient
+    less,           ///< below the smallest factor that is held
+    more,           ///< above the largest factor
+    alone,          ///< nothing is held: the dead load alone
   };
-  double friction = 0;  ///< coefficient of the call
+  double friction = 0;  ///< coefficient of the call, or the largest one that does not hold it
   LoadShare share{};
   Side side = Side::alone;
 };
@@ -34,12 +36,13 @@ struct ExcludingMotion {
   bool opens_all = false;       ///< all of the subproblem do
 };
 
-/// The motion, in floating point. Nothing if there is none with a margin at every candidate, which
-/// needs that no reactions within the friction cones balance each other; if that is numerically
-/// undecided; if the load also moves a body where no candidate resists; or of a subproblem of more
-/// than 200 candidates.
+/// The motion, in floating point: in the plane the one on which the candidates open least. Nothing if
+/// there is none, if that is numerically undecided, or if the load also moves a body where no candidate
+/// resists. In space there is none either for more than 200 candidates, and where no motion has a margin
+/// at every candidate, as if reactions within the friction cones balance each other.
 /// @param whole of the structure, in its load case
 std::optional<ExcludingMotion> excluding_motion(const problems::CheckedStructure& structure,
-                                                const LoadedProblem& whole, ExcludedLoad load);
+                                                const LoadedProblem& whole, ExcludedLoad load,
+                                                const support::Stop& stop = {});
 
 }  // namespace kusabi::wedged

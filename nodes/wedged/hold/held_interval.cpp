@@ -46,6 +46,30 @@ double BlockHold::factor_scale() const {
   return scale > 0 && std::isfinite(scale) ? scale : 1;
 }
 
+// Narrows a bracket beside an end that is known in advance to most digits: points on either side of
+// it, ever farther away, until the first that is feasible and the first that is not.
+BlockHold::Ends BlockHold::approach(Ends ends, double expected, double floor,
+                                    const std::function<HoldResult(double)>& result_at) const {
+  constexpr double growth = 64;
+  const double least = std::max(parameters_.width * std::abs(expected), floor) / 4;
+  const double outward = ends.infeasible > ends.feasible ? 1 : -1;
+  for (const double side : {-outward, outward}) {
+    const HoldResult wanted = side == outward ? HoldResult::infeasible : HoldResult::feasible;
+    for (double distance = least; !ended(); distance *= growth) {
+      const double point = expected + side * distance;
+      const bool inside =
+          (point - ends.feasible) * outward > 0 && (ends.infeasible - point) * outward > 0;
+      if (!inside || !std::isfinite(point)) break;
+      const HoldResult result = result_at(point);
+      if (result == HoldResult::feasible) ends.feasible = point;
+      if (result == HoldResult::infeasible) ends.infeasible = point;
+      const bool decided = result == HoldResult::feasible || result == HoldResult::infeasible;
+      if (!decided || result == wanted) break;
+    }
+  }
+  return ends;
+}
+
 // Bisection. Undecided points divide the interval; both sides then approach them separately. Secants
 // of t*, and the points up to which multipliers exclude states, took as many programs: these have many
 // pieces near the end, and a program that is solved beyond its sign takes twice the iterations.
@@ -99,20 +123,22 @@ BlockHold::Ends BlockHold::extend(const LoadedPattern& pattern, double from, int
   if (at(pattern, reference, mu, Standard::computed) == HoldResult::feasible)
     return {end, end, true};
   const double scale = factor_scale();
-  double feasible = from;
-  double step = std::max(std::abs(from), scale);
-  double infeasible = end;
-  for (int doubling = 0; doubling < max_doublings && !ended(); ++doubling, step *= 2) {
-    const double next = from + direction * step;
-    const HoldResult result = at(pattern, {1, next}, mu, standard);
-    if (result == HoldResult::feasible) feasible = next;
-    if (result != HoldResult::infeasible) continue;
-    infeasible = next;
-    break;
-  }
-  if (std::isinf(infeasible)) return {feasible, infeasible};
+  const double floor = min_factor_share * scale;
   const auto result_at = [&](double factor) { return at(pattern, {1, factor}, mu, standard); };
-  Ends ends = bisect({feasible, infeasible}, min_factor_share * scale, result_at);
+  Ends ends{from, end};
+  const double expected = !statics_ ? end : direction > 0 ? statics_->high : statics_->low;
+  if (std::isfinite(expected)) ends = approach(ends, expected, floor, result_at);
+  double step = std::max(std::abs(from), scale);
+  for (int doubling = 0; doubling < max_doublings && std::isinf(ends.infeasible) && !ended();
+       ++doubling, step *= 2) {
+    const double next = from + direction * step;
+    if ((next - ends.feasible) * direction <= 0) continue;
+    const HoldResult result = result_at(next);
+    if (result == HoldResult::feasible) ends.feasible = next;
+    if (result == HoldResult::infeasible) ends.infeasible = next;
+  }
+  if (std::isinf(ends.infeasible)) return ends;
+  ends = bisect(ends, floor, result_at);
   if (std::min(ends.feasible, ends.infeasible) < 0 &&
       std::max(ends.feasible, ends.infeasible) > 0) {
     const HoldResult result = result_at(0);

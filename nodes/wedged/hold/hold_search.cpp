@@ -126,6 +126,25 @@ HeldFactors with_total(engine::Analysis& analysis, const LoadedProblem& loaded, 
 
 }  // namespace
 
+void restrict_to(HeldFactors& found, const HeldFactors& other) {
+  if (other.status != engine::Status::solved) found.status = other.status;
+  bool open = false;
+  found.intervals = common(found.intervals, other.intervals, open);
+  found.unresolved = found.unresolved || other.unresolved || open;
+  found.outside = both(found.outside, open ? Standing::computed : other.outside);
+}
+
+bool raise_to(support::Bracket& found, const support::Bracket& other) {
+  const auto& [lower, upper] = other;
+  if (lower && lower->value > found.at_least()) found.lower = lower;
+  const auto standing =
+      upper && found.upper ? both(found.upper->standing, upper->standing) : Standing::computed;
+  const bool more = !upper || (found.upper && upper->value >= found.upper->value);
+  if (more) found.upper = upper;
+  if (found.upper) found.upper->standing = standing;
+  return more;
+}
+
 bool is_dead_unbalanced(const LoadedProblem& loaded, const HoldParameters& parameters) {
   return parameters.dead_out_of_equilibrium ||
          work_on_other_modes(loaded, {1, 0}) > negligible_work;
@@ -159,13 +178,7 @@ HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded
     searched = true;
     wedged = wedged && own.any_by_wedging;
     for (auto& each : own.intervals) each.block = number;
-    if (own.status != engine::Status::solved) found.status = own.status;
-    found.outside = both(found.outside, own.outside);
-    found.unresolved = found.unresolved || own.unresolved;
-    bool open = false;
-    found.intervals = common(found.intervals, own.intervals, open);
-    if (open) found.outside = Standing::computed;
-    found.unresolved = found.unresolved || open;
+    restrict_to(found, own);
     if (found.status != engine::Status::solved) {
       if (is_loaded_from(loaded, blocks, number + 1)) found.intervals.clear();
       found.outside = Standing::computed;
@@ -245,20 +258,15 @@ HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem
     if (upper) own.state = hold.state(own.pattern, 0, upper->value);
     if (own.status != engine::Status::solved) found.status = own.status;
     if (lower && lower->value > found.bracket.at_least()) {
-      found.bracket.lower = lower;
       evidence.lower_block = number;
       evidence.tree = hold.tree_at(lower->value);
     }
     evidence.patterns[number] = own.pattern;
-    const auto standing =
-        upper ? both(found.bracket.upper->standing, upper->standing) : Standing::computed;
-    if (!upper || upper->value >= found.bracket.at_most()) {
-      found.bracket.upper = upper;
+    if (raise_to(found.bracket, own.bracket)) {
       found.block = number;
       found.pattern = own.pattern;
       found.state = own.state;
     }
-    if (found.bracket.upper) found.bracket.upper->standing = standing;
     if (!found.bracket.upper) found.maximum = own.maximum;
     if (found.status != engine::Status::solved && is_loaded_from(loaded, blocks, number + 1)) {
       found.bracket.upper.reset();

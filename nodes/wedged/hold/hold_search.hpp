@@ -114,6 +114,13 @@ RecordedBlock recorded_block(const LoadedProblem& block, const support::IndexSet
 HeldFactors held_factors(engine::Analysis& analysis, const LoadedProblem& loaded, double mu,
                          const HoldParameters& parameters = {}, HoldRecord* record = nullptr);
 
+/// Restricts the factors that are known to be held to those that another part of the structure, or
+/// the structure in another load case, holds too. Costs are not added.
+void restrict_to(HeldFactors& found, const HeldFactors& other);
+
+/// Raises a bracket to that of another part or load case. @return true if it needs more friction
+bool raise_to(support::Bracket& found, const support::Bracket& other);
+
 /// Bracket of the smallest coefficient at which the dead load is held. Every rank makes the same
 /// call and gets the same result. At a limit `status` names it, and the result has what is known.
 HoldingFriction holding_friction(engine::Analysis& analysis, const LoadedProblem& loaded,

@@ -2,6 +2,7 @@
 #include "nodes/wedged/hold/hold_tree.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,10 @@ namespace {
 /// Singular values of the rows of U below this part of the largest belong to modes that these do
 /// not resist, as in solvers/conic/motion_bounds.cpp.
 constexpr double not_resisted = 1e-10;
+
+/// Parts of the largest normal reaction above which a candidate is suggested to be in contact: from
+/// all with a reaction to those that carry the load.
+constexpr std::array shares_in_contact{1e-9, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1};
 
 conic::SideEquation equation_of(const std::optional<GripRestriction>& grip) {
   if (!grip) return conic::SideEquation::none;
@@ -215,6 +220,21 @@ LoadedLeaf HoldNodes::leaf(const LoadedPattern& pattern) const {
   return leaf;
 }
 
+std::vector<LoadedPattern> HoldNodes::suggested(const LoadedPattern& node) const {
+  if (!bounds_.empty()) return {};  // the tree without them has tried
+  const IndexSet free = all_ - (node.contact | node.separated);
+  double largest = 0;
+  for (const int i : all_) largest = std::max(largest, solver_.normal_reaction(i));
+  std::vector<LoadedPattern> leaves;
+  for (const double share : shares_in_contact) {
+    LoadedPattern leaf = node;
+    for (const int i : free)
+      (solver_.normal_reaction(i) > share * largest ? leaf.contact : leaf.separated).insert(i);
+    if (leaves.empty() || !(leaf == leaves.back())) leaves.push_back(std::move(leaf));
+  }
+  return leaves;
+}
+
 void HoldTree::expand(Node&& node, engine::Expansion<HoldTree>& out) {
   interruption_.run(out, node, [&] { open(node, out); });
 }
@@ -231,6 +251,17 @@ void HoldTree::take_limit(const Node& node, engine::Expansion<HoldTree>& out) {
   }
   if (!proved) ++tally_.computed;  // that there are no other states
   out.solution(nodes_.leaf(limit));
+}
+
+// True if the point of the root suggests a leaf that has a state: one node in place of a path of
+// as many as there are candidates.
+bool HoldTree::take_suggested(const Node& node, engine::Expansion<HoldTree>& out) {
+  for (const auto& leaf : nodes_.suggested(node)) {
+    if (nodes_.solve(leaf) != HoldResult::feasible) continue;
+    out.solution(nodes_.leaf(leaf));
+    return true;
+  }
+  return false;
 }
 
 void HoldTree::open(const Node& node, engine::Expansion<HoldTree>& out) {
@@ -255,13 +286,16 @@ void HoldTree::open(const Node& node, engine::Expansion<HoldTree>& out) {
     case HoldResult::unresolved:
       break;
   }
+  const int candidate = free.empty() ? 0 : nodes_.candidate(free);
+  const bool root = free == nodes_.all() && free.size() > 1;
+  if (tries_suggested_ && root && take_suggested(node, out)) return;
   if (free.empty()) {
     ++(resists_all(nodes_.problem(), node.contact, nodes_.friction()) ? tally_.undecided
                                                                       : tally_.undecided_on_line);
     return;
   }
   ++tally_.branched;
-  const IndexSet own = IndexSet::single(nodes_.candidate(free));
+  const IndexSet own = IndexSet::single(candidate);
   out.branch({node.contact | own, node.separated});
   out.branch({node.contact, node.separated | own});
 }

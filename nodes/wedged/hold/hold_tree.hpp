@@ -147,6 +147,9 @@ class HoldNodes {
   int candidate(const support::IndexSet& free) {
     return one_sided_ ? *one_sided_ : rule_.candidate(free, solver_);
   }
+  /// Leaves that the point of the last node suggests: candidates with a reaction are in contact. None
+  /// with bounds.
+  [[nodiscard]] std::vector<LoadedPattern> suggested(const LoadedPattern& node) const;
   /// The leaf of all states of the last node, whose result is `at_limit`.
   [[nodiscard]] const LoadedPattern& limit() const { return limit_; }
   /// The state of the last node.
@@ -226,6 +229,9 @@ class HoldTree {
   [[nodiscard]] const std::vector<double>& weights() const { return nodes_.weights(); }
   /// States of the dead load alone do not count. @pre another share
   void except_dead() { nodes_.except_dead(); }
+  /// Tries the leaves that the point of the root suggests, and no other if one has a state. @pre the
+  /// search ends with the first leaf that has one
+  void try_suggested() { tries_suggested_ = true; }
 
   [[nodiscard]] Node root() const { return {}; }
   void expand(Node&& node, engine::Expansion<HoldTree>& out);
@@ -238,8 +244,10 @@ class HoldTree {
  private:
   void open(const Node& node, engine::Expansion<HoldTree>& out);
   void take_limit(const Node& node, engine::Expansion<HoldTree>& out);
+  bool take_suggested(const Node& node, engine::Expansion<HoldTree>& out);
 
   HoldNodes nodes_;
+  bool tries_suggested_ = false;
   Reporter reporter_;
   NodeInterruption interruption_;
   Tally tally_;

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "engine/transport/single_process.hpp"
 #include "nodes/wedged/hold/half_planes.hpp"
 #include "nodes/wedged/hold/hold_search.hpp"
+#include "nodes/wedged/hold/statics.hpp"
 #include "problems/files/structure_file.hpp"
 #include "random_structure.hpp"
 #include "solvers/linear/linear_program.hpp"
@@ -407,6 +409,61 @@ TEST(HoldingFriction, OfALadderIsThatOfStatics) {
     EXPECT_LE(found.bracket.at_least(), wanted + 1e-15);
     EXPECT_GE(found.bracket.at_most(), wanted - 1e-15);
   }
+}
+
+// The ladder has two contacts: equilibrium of forces and moments in closed form.
+TEST(Statics, NeedTheFrictionOfALadderToTheLastDigits) {
+  for (const int climber : {2, 5, 8}) {
+    const double s = climber / 10.0, slope = 4.0 / 3;
+    const double wanted = (-slope + std::sqrt(slope * slope + 4 * s * (1 - s))) / (2 * (1 - s));
+    const auto found = static_friction(ladder(climber), 1e-6, 1000);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(*found / wanted, 1, 1e-13);
+    EXPECT_FALSE(static_friction(ladder(climber), 1.001 * wanted, 1000));  // enough from there on
+    EXPECT_FALSE(static_friction(ladder(climber), 1e-6, 0.999 * wanted));
+  }
+}
+
+// It turns about its lower edge at every coefficient that keeps it from sliding.
+TEST(Statics, TurnATallBlockAboutItsEdge) {
+  const auto loaded = loaded_problem(problems::load_structure(
+      std::string(KUSABI_SOURCE_DIR) + "/examples/statics/tall-block-on-an-incline.toml"));
+  for (const double mu : {1.0, 10.0, 1000.0}) {
+    const auto amounts = static_motion(loaded, {1, 0}, mu);
+    ASSERT_TRUE(amounts) << mu;
+    const Eigen::VectorXd motion = loaded.problem.modes.matrix * *amounts;
+    const double largest = motion.cwiseAbs().maxCoeff();
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(motion[2 * i + 1], 0, 1e-6 * largest) << mu;
+      EXPECT_NEAR(motion[2 * i], i * motion[2], 1e-6 * largest) << mu;
+    }
+    EXPECT_GT(motion[2], 0);
+  }
+}
+
+// Statics has no fewer reactions than the states, which also satisfy elasticity.
+TEST(Statics, BoundTheFactorsOfRandomStructures) {
+  int bounded = 0, equal = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const auto loaded = loaded_body(seed);
+    if (!loaded) continue;
+    constexpr double mu = 0.4;
+    const auto range = static_range(*loaded, mu);
+    if (!range) continue;
+    engine::SingleProcess alone;
+    engine::Analysis analysis(alone);
+    for (const auto& each : held_factors(analysis, *loaded, mu).intervals) {
+      const auto slack = [](double end) {
+        return std::isfinite(end) ? 1e-7 * (1 + std::abs(end)) : 0;
+      };
+      EXPECT_GE(each.low, range->low - slack(range->low)) << seed;
+      EXPECT_LE(each.high, range->high + slack(range->high)) << seed;
+      bounded += std::isfinite(range->high) ? 1 : 0;
+      equal += std::abs(each.high - range->high) <= slack(range->high) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(bounded, 0);
+  EXPECT_GT(equal, 0);
 }
 
 }  // namespace
