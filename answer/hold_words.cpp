@@ -16,9 +16,13 @@ constexpr const char* held_by_supports =
     "It can hold any load: the supports constrain every body, which then has a state of "
     "equilibrium under every load at any friction coefficient.";
 
-constexpr const char* unbalanced_load =
-    "It cannot hold the load at any friction coefficient: the load moves a body in a direction "
-    "that no candidate resists.";
+template <class Found>
+std::string unbalanced_load(const Found& found) {
+  return fmt::format(
+      "It cannot hold the load{} at any friction coefficient: the load moves a body in a direction "
+      "that no candidate resists.",
+      found.load_case.empty() ? "" : " in load case " + support::in_quotes(found.load_case));
+}
 
 // Of the claim that nothing else is held, where it is made.
 template <class Found>
@@ -74,8 +78,11 @@ std::string none_outside(const HoldingFactors& found) {
   return text;
 }
 
-std::string in_case(const std::string& load_case) {
-  return load_case.empty() ? "" : " in load case " + support::in_quotes(load_case);
+// " in load case "wind"", " in every one of 2 load cases".
+template <class Found>
+std::string in_case(const Found& found) {
+  if (!found.cases.empty()) return " in every one of " + counted(found.cases.size(), "load case");
+  return found.load_case.empty() ? "" : " in load case " + support::in_quotes(found.load_case);
 }
 
 // "from 1 to 2", "all", "none"; of a dead load "it can be held" or "it cannot be held".
@@ -99,9 +106,9 @@ std::string none_standing_words(const std::optional<Standing>& none) {
 
 std::string headline_of(const HoldingBracket& found, engine::Status ended) {
   if (found.reason == HoldReason::supports) return held_by_supports;
-  if (found.reason == HoldReason::unbalanced) return unbalanced_load;
+  if (found.reason == HoldReason::unbalanced) return unbalanced_load(found);
   const auto& [lower, upper] = found.bracket;
-  const auto load = "the dead load" + in_case(found.load_case);
+  const auto load = "the dead load" + in_case(found);
   if (!lower && !upper)
     return fmt::format("The smallest friction coefficient at which it can hold {} is not known.",
                        load);
@@ -133,8 +140,7 @@ void reserve(const HoldingBracket& found, engine::Status /*ended*/, std::vector<
 
 std::string headline_of(const HoldingFactors& found, engine::Status /*ended*/) {
   if (found.reason == HoldReason::supports) return held_by_supports;
-  auto where = fmt::format("at friction coefficient {}{}{}", found.friction,
-                           of_each_candidate(found.factor), in_case(found.load_case));
+  auto where = fmt::format("at {}{}", friction_words(found.friction, found.factor), in_case(found));
   if (found.total) where += fmt::format(" with normal reactions that add up to {}", *found.total);
   if (found.reason == HoldReason::wedging) {
     return fmt::format(
@@ -142,11 +148,23 @@ std::string headline_of(const HoldingFactors& found, engine::Status /*ended*/) {
         found.of_reference ? "the reference load at any factor" : "the dead load", where);
   }
   if (found.intervals.empty()) {
+    // A case that holds nothing decides alone.
+    const auto none = std::ranges::find_if(found.cases, [&](const auto& each) {
+      return each.name == found.load_case && each.intervals.empty() && !each.open;
+    });
+    if (none != found.cases.end()) {
+      auto alone = found;
+      alone.cases.clear();
+      alone.open = false;
+      alone.outside = none->outside;
+      alone.reason = none->reason;
+      return headline_of(alone, engine::Status::solved);
+    }
     if (found.open)
       return fmt::format("It is not known whether it can hold {} {}.",
                          found.of_reference ? "any factor of the reference load" : "the dead load",
                          where);
-    if (found.reason == HoldReason::unbalanced) return unbalanced_load;
+    if (found.reason == HoldReason::unbalanced) return unbalanced_load(found);
     return fmt::format("It {} {}{}.",
                        found.of_reference ? "can hold no factor of the reference load"
                                           : "cannot hold the dead load",
@@ -169,18 +187,21 @@ std::string headline_of(const HoldingFactors& found, engine::Status /*ended*/) {
 std::string headline_of(const HoldingSweep& found, engine::Status /*ended*/) {
   if (found.points.empty()) return "The loads that it can hold are not known.";
   if (found.points.front().reason == HoldReason::supports) return held_by_supports;
-  if (found.points.front().reason == HoldReason::unbalanced) return unbalanced_load;
+  if (found.points.front().reason == HoldReason::unbalanced)
+    return unbalanced_load(found.points.front());
   const auto at = [](const HoldingFactors& point) {
-    return fmt::format("at {}{} {}", point.friction, of_each_candidate(point.factor),
+    return fmt::format("at {} {}",
+                       short_friction_words(fmt::format("{}", point.friction), point.factor),
                        factors_at(point));
   };
   const auto& points = found.points;
-  const auto where =
-      points.size() == found.requested
-          ? fmt::format("at {} friction coefficients", points.size())
-          : fmt::format("at {} of {} friction coefficients (the others are not known)",
-                        points.size(), found.requested);
-  const auto of = in_case(points.front().load_case);
+  const auto* const names =
+      points.front().factor ? "factors of the friction given in the file" : "friction coefficients";
+  const auto where = points.size() == found.requested
+                         ? fmt::format("at {} {}", points.size(), names)
+                         : fmt::format("at {} of {} {} (the others are not known)", points.size(),
+                                       found.requested, names);
+  const auto of = in_case(points.front());
   const auto& total = points.front().total;
   const auto sum =
       total ? fmt::format(" with normal reactions that add up to {}", *total) : std::string();
@@ -196,8 +217,7 @@ std::string headline_of(const HoldingSweep& found, engine::Status /*ended*/) {
 }
 
 std::string headline_of(const HoldingDiagram& found, engine::Status /*ended*/) {
-  const auto where =
-      fmt::format("at friction coefficient {}{}", found.friction, of_each_candidate(found.factor));
+  const auto where = "at " + friction_words(found.friction, found.factor);
   const auto pairs = fmt::format("pairs of factors of the reference loads \"{}\" and \"{}\"",
                                  found.cases.front(), found.cases.back());
   if (found.everything) return fmt::format("It can hold all {} {}.", pairs, where);
@@ -322,8 +342,8 @@ void reserve(const HoldingSweep& found, engine::Status ended, std::vector<Reserv
     std::vector<Reservation> own;
     reserve(point, ended, own);
     for (auto& each : own) {
-      each.sentence = fmt::format("At friction coefficient {}{}: {}", point.friction,
-                                  of_each_candidate(point.factor), each.sentence);
+      each.sentence =
+          fmt::format("At {}: {}", friction_words(point.friction, point.factor), each.sentence);
       all.push_back(std::move(each));
     }
   }

@@ -7,6 +7,16 @@
 
 namespace kusabi::answer {
 
+std::string friction_words(std::string_view value, bool factor) {
+  if (factor && value == "1") return "the friction given in the file";
+  return factor ? fmt::format("{} times the friction given in the file", value)
+                : fmt::format("{} {}", friction_name(false), value);
+}
+
+std::string short_friction_words(std::string_view value, bool factor) {
+  return fmt::format("{}{}", value, factor ? " times" : "");
+}
+
 std::string status_name(engine::Status status) {
   return std::string(name_of(status));
 }

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "engine/statistics.hpp"
@@ -51,12 +52,20 @@ std::string counted(std::signed_integral auto count, std::string_view thing) {
 }
 std::string counted(const support::ExactCount& count, std::string_view thing);
 
-/// Suffix of a friction coefficient.
-/// @param factor true if it multiplies the coefficient of each candidate; otherwise the suffix is
-///   empty
-constexpr const char* of_each_candidate(bool factor) {
-  return factor ? " times that of each candidate" : "";
+/// Name of the friction coefficient of a call.
+/// @param factor true if it multiplies coefficients or factors that the file gives to its candidates
+constexpr const char* friction_name(bool factor) {
+  return factor ? "factor of the friction given in the file" : "friction coefficient";
 }
+
+/// "friction coefficient 0.3", "0.3 times the friction given in the file"; without "1 times".
+std::string friction_words(std::string_view value, bool factor);
+inline std::string friction_words(double value, bool factor) {
+  return friction_words(fmt::format("{}", value), factor);
+}
+
+/// Where the name has been said: "0.3", "0.3 times".
+std::string short_friction_words(std::string_view value, bool factor);
 
 /// A number if every JSON reader has it exactly, otherwise a string of decimal digits, with its
 /// logarithm in KEY_log10.

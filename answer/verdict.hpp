@@ -74,7 +74,7 @@ struct Sticking {
     return std::tuple{
         field("thing", &Sticking::thing, "noun for the count, in the singular"),
         field("friction", &Sticking::friction),
-        field("factor", &Sticking::factor, "friction multiplies the coefficient of each candidate"),
+        field("factor", &Sticking::factor, "friction multiplies the coefficients of the file"),
         field("count", &Sticking::count, "of patterns or rays"),
         field("not_counted", &Sticking::undecided, "sign patterns that are undecided"),
         field("standing", &Sticking::standing, "of the list"),
@@ -110,7 +110,7 @@ struct CriticalBracket {
         field(
             "critical_friction", &CriticalBracket::bracket,
             "the structure cannot stick at the lower bound or below, and sticks at the upper one"),
-        field("factor", &CriticalBracket::factor, "coefficients multiply that of each candidate"),
+        field("factor", &CriticalBracket::factor, "coefficients multiply those of the file"),
         field("maximum", &CriticalBracket::maximum, "upper limit of the search"),
         field("width", &CriticalBracket::width, "requested width of the bracket"),
         field("wide", &CriticalBracket::wide, "the bracket is wider"),
@@ -138,20 +138,34 @@ constexpr std::array<std::string_view, 4> names_of(HoldReason /*type*/) {
 /// The smallest friction coefficient at which the dead load can be held: `hold`.
 struct HoldingBracket {
   static constexpr const char* kind = "holding-friction";
+  struct OfCase {
+    std::string name{};
+    Bracket bracket{};
+    HoldReason reason = HoldReason::searched;
+
+    static constexpr auto fields() {
+      return std::tuple{field("case", &OfCase::name), field("holding_friction", &OfCase::bracket),
+                        field("reason", &OfCase::reason)};
+    }
+  };
   Bracket bracket{};
   bool factor = false;
   double maximum = 0;
   HoldReason reason = HoldReason::searched;
   std::string load_case{};
+  std::vector<OfCase> cases{};
 
   static constexpr auto fields() {
     return std::tuple{
         field("holding_friction", &HoldingBracket::bracket,
-              "the dead load cannot be held at the lower bound or below, and can at the upper one"),
-        field("factor", &HoldingBracket::factor, "coefficients multiply that of each candidate"),
+              "the dead load, of each load case, can be held at the upper bound, and not at the "
+              "lower one or below"),
+        field("factor", &HoldingBracket::factor, "coefficients multiply those of the file"),
         field("maximum", &HoldingBracket::maximum, "upper limit of the search"),
         field("reason", &HoldingBracket::reason, "why no search was needed"),
-        if_any("case", &HoldingBracket::load_case, "with --case")};
+        if_any("case", &HoldingBracket::load_case,
+               "of several load cases: the one that needs most friction"),
+        if_any("cases", &HoldingBracket::cases, "of several load cases: each of them")};
   }
 };
 
@@ -237,6 +251,19 @@ struct HoldingFactors {
                 "end")};
     }
   };
+  struct OfCase {
+    std::string name{};
+    std::vector<Interval> intervals{};
+    std::optional<Standing> outside{};
+    bool open = false;
+    HoldReason reason = HoldReason::searched;
+
+    static constexpr auto fields() {
+      return std::tuple{field("case", &OfCase::name), field("intervals", &OfCase::intervals),
+                        field("outside", &OfCase::outside), field("open", &OfCase::open),
+                        field("reason", &OfCase::reason)};
+    }
+  };
   double friction = 0;
   bool factor = false;
   bool of_reference = true;
@@ -247,6 +274,7 @@ struct HoldingFactors {
   std::string load_case{};
   std::optional<double> total{};
   std::optional<HoldingGrip> grip{};
+  std::vector<OfCase> cases{};
 
   [[nodiscard]] bool holds_all() const {
     return intervals.size() == 1 && intervals.front().low() == -Interval::unbounded &&
@@ -257,20 +285,23 @@ struct HoldingFactors {
     return std::tuple{
         field("friction", &HoldingFactors::friction),
         field("factor", &HoldingFactors::factor,
-              "friction multiplies the coefficient of each candidate"),
+              "friction multiplies the coefficients of the file"),
         field("of_reference", &HoldingFactors::of_reference,
               "false: the file has a dead load only, held or not"),
         field("intervals", &HoldingFactors::intervals,
-              "factors of the reference load that can be held"),
+              "factors of the reference load that can be held, in each load case"),
         field("outside", &HoldingFactors::outside,
               "standing of the claim that no other factor is held; null: others may be held, or "
               "all are"),
         field("open", &HoldingFactors::open, "factors may be missing"),
         field("reason", &HoldingFactors::reason, "why no search was needed"),
-        if_any("case", &HoldingFactors::load_case, "with --case"),
+        if_any(
+            "case", &HoldingFactors::load_case,
+            "of several load cases: the one that bounds the factors from above, else from below"),
         if_any("total", &HoldingFactors::total, "with --total: the sum of the normal reactions"),
         if_any("grip", &HoldingFactors::grip,
-               "with --grip: the range of the sum of the normal reactions")};
+               "with --grip: the range of the sum of the normal reactions"),
+        if_any("cases", &HoldingFactors::cases, "of several load cases: each of them")};
   }
 };
 
@@ -302,7 +333,7 @@ struct HoldingDiagram {
   static constexpr auto fields() {
     return std::tuple{field("friction", &HoldingDiagram::friction),
                       field("factor", &HoldingDiagram::factor,
-                            "friction multiplies the coefficient of each candidate"),
+                            "friction multiplies the coefficients of the file"),
                       field("cases", &HoldingDiagram::cases, "names of both reference loads"),
                       field("outside", &HoldingDiagram::outside,
                             "standing of the claim that no other pair is held; null: others may be "
@@ -327,7 +358,7 @@ struct FrictionSteps {
   static constexpr auto fields() {
     return std::tuple{
         field("maximum", &FrictionSteps::maximum, "upper limit of the sweep"),
-        field("factor", &FrictionSteps::factor, "coefficients multiply that of each candidate"),
+        field("factor", &FrictionSteps::factor, "coefficients multiply those of the file"),
         field(
             "infeasible", &FrictionSteps::infeasible,
             "it cannot stick up to here; proved: as are the counts at the requested coefficients, "

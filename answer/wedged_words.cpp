@@ -84,8 +84,7 @@ std::string cones_line(std::uint64_t cones) {
 }
 
 std::string headline_of(const Sticking& found, engine::Status ended) {
-  const auto where =
-      fmt::format("{} {}{}", coefficient, found.friction, of_each_candidate(found.factor));
+  const auto where = friction_words(found.friction, found.factor);
   const bool complete = is_complete(found, ended);
   if (is_known_to_stick(found)) {
     if (found.example) return fmt::format("Yes, it can stick at {}.", where);
@@ -139,27 +138,27 @@ void reserve(const Sticking& found, engine::Status ended, std::vector<Reservatio
 std::string friction_sentence(const std::string& ability, const Bracket& bracket, bool factor,
                               double maximum, bool wide) {
   const auto& [lower, upper] = bracket;
-  const char* const each = of_each_candidate(factor);
+  const auto at = [&](const std::string& value) { return friction_words(value, factor); };
   if (lower && lower->value == 0) {
     const auto without =
         fmt::format("It cannot {} without friction{}", ability, unless_proved(lower->standing));
     if (!upper) return without + "; with friction, this is not known.";
-    return fmt::format("{}; at {} {}{} it can{}{}.", without, coefficient,
-                       support::rounded_up(upper->value), each, unless_proved(upper->standing),
+    return fmt::format("{}; at {} it can{}{}.", without, at(support::rounded_up(upper->value)),
+                       unless_proved(upper->standing),
                        wide ? "; in between, this is not known" : "");
   }
   if (!upper) {
-    return fmt::format("It cannot {} up to {} {}{}{}{}.", ability, coefficient,
-                       support::rounded_down(lower->value), each, unless_proved(lower->standing),
+    return fmt::format("It cannot {} up to {}{}{}.", ability,
+                       at(support::rounded_down(lower->value)), unless_proved(lower->standing),
                        lower->value < maximum ? "; above it, this is not known" : "");
   }
   if (!lower) {
-    return fmt::format("It can {} at {} {}{}{}; below it, this is not known.", ability, coefficient,
-                       support::rounded_up(upper->value), each, unless_proved(upper->standing));
+    return fmt::format("It can {} at {}{}; below it, this is not known.", ability,
+                       at(support::rounded_up(upper->value)), unless_proved(upper->standing));
   }
   const auto shown = support::in_sentence(lower->value, upper->value);
-  return fmt::format("It cannot {} below {} {}{}{}; at {} it can{}{}.", ability, coefficient,
-                     shown.lower, each, unless_proved(lower->standing), shown.upper,
+  return fmt::format("It cannot {} below {}{}; at {} it can{}{}.", ability, at(shown.lower),
+                     unless_proved(lower->standing), short_friction_words(shown.upper, factor),
                      unless_proved(upper->standing), wide ? "; in between, this is not known" : "");
 }
 
@@ -248,13 +247,11 @@ std::string line_of(const std::string& name, const Bracket& bracket) {
 }  // namespace
 
 std::string bracket_line(const CriticalBracket& found) {
-  return line_of(fmt::format("critical {}{}", coefficient, of_each_candidate(found.factor)),
-                 found.bracket);
+  return line_of(fmt::format("critical {}", friction_name(found.factor)), found.bracket);
 }
 
 std::string bracket_line(const HoldingBracket& found) {
-  return line_of(fmt::format("holding {}{}", coefficient, of_each_candidate(found.factor)),
-                 found.bracket);
+  return line_of(fmt::format("holding {}", friction_name(found.factor)), found.bracket);
 }
 
 namespace {
@@ -269,23 +266,22 @@ const char* counts_text(const FrictionSteps& found) {
 }  // namespace
 
 std::string headline_of(const FrictionSteps& found, engine::Status /*ended*/) {
-  const auto maximum = fmt::format("{}{}", found.maximum, of_each_candidate(found.factor));
+  const auto maximum = fmt::format("{}", found.maximum);
   if (!found.infeasible || is_refuted(found.remainder))
     return fmt::format("The {} from which it can stick is not known.", coefficient);
   const auto& [value, standing] = *found.infeasible;
   if (found.count == 0U && found.open_at_most == 0 && value >= found.maximum) {
-    return fmt::format("It cannot stick up to {} {}{}.{}", coefficient, maximum,
+    return fmt::format("It cannot stick up to {}{}.{}", friction_words(maximum, found.factor),
                        unless_proved(standing), counts_text(found));
   }
   // Without friction nothing sticks.
-  const auto head = value == 0
-                        ? fmt::format("The {} from which it can stick is not known", coefficient)
-                        : fmt::format("It cannot stick up to {} {}{}", coefficient,
-                                      support::rounded_down(value, digits_of_sweep),
-                                      of_each_candidate(found.factor));
+  const auto head =
+      value == 0 ? fmt::format("The {} from which it can stick is not known", coefficient)
+                 : "It cannot stick up to " +
+                       friction_words(support::rounded_down(value, digits_of_sweep), found.factor);
   return fmt::format(
-      "{}; at {} there {} {}{}{}.{}", head, maximum, found.count == 1U ? "is" : "are",
-      counted(found.count, "sign pattern"),
+      "{}; at {} there {} {}{}{}.{}", head, short_friction_words(maximum, found.factor),
+      found.count == 1U ? "is" : "are", counted(found.count, "sign pattern"),
       found.open_at_most == 0 ? "" : fmt::format(" and {} undecided", found.open_at_most),
       unless_proved(standing), counts_text(found));
 }

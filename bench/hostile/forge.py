@@ -461,7 +461,7 @@ class Judge:
 
     def false_parts(self, sentence):
         """Of the conclusion."""
-        said = float(re.search(r"friction coefficient:? ([^\s,;]+)", self.output).group(1))
+        said = float(re.search(r"friction (?:coefficient|given in the file):? ([^\s,;]+)", self.output).group(1))
         if any(abs(said * own.friction - mu) > 2**-50 * mu for own, mu in zip(self.truth.bodies.candidates, self.friction)):
             yield f"the friction coefficient is not {said}"
         if self.own.loads:

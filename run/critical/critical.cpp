@@ -202,7 +202,7 @@ void Critical::prepare(CommandRun& run) {
 }
 
 std::string Critical::announcement(const std::string& ranks) const {
-  return fmt::format("{}; up to a friction coefficient of {}; {}", problem_line(contact_.problem),
+  return fmt::format("{}; up to {}; {}", problem_line(contact_.problem),
                      friction_text(contact_.problem, grid_.maximum), ranks);
 }
 
@@ -230,7 +230,7 @@ void Critical::draw(OutputFolder& folder, const WholeStates& states) const {
     if (entry.reaction.empty()) continue;
     series.add(
         numbered_vtu("pattern", i + 1, count),
-        grids.grid({fmt::format("configuration that becomes feasible at friction coefficient {}",
+        grids.grid({fmt::format("configuration that becomes feasible at {}",
                                 friction_text(contact_.problem, entry.upper.value_or(entry.lower))),
                     entry.upper.value_or(entry.lower)},
                    entry.block, entry.pattern, {}, entry.reaction, entry.displacement));

@@ -24,8 +24,8 @@ class Draw final : public Subcommand {
     table.result(file_);
     table.output("SVG file. Default: standard output");
     table.number("--pattern", &pattern_, above(0),
-                 "number of the pattern or ray to draw in detail; for a result of kusabi limit, 1 "
-                 "is the nominal load and 2 the worst case or the worst loss");
+                 "number of the pattern, ray, state or motion to draw in detail; for a result of "
+                 "kusabi limit, 1 is the nominal load and 2 the worst case or the worst loss");
     table.quiet_and_serial();
   }
   void read(CommandRun& run) override { text_ = result_text(run.session(), file_); }

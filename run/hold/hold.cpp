@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -157,22 +158,36 @@ class Hold final : public Subcommand {
   void prepare(CommandRun& run) override;
   [[nodiscard]] std::string announcement(const std::string& ranks) const override;
   void search(CommandRun& run) override;
-  void search_at(engine::Analysis& analysis, double mu);
   std::vector<Step> results(CommandRun& run) override;
   [[nodiscard]] answer::Verdict verdict() const override;
 
  private:
+  /// The structure under the loads of one load case.
+  struct LoadCase {
+    std::string name;  ///< empty: all loads of the file act
+    problems::CheckedStructure structure;
+    wedged::LoadedProblem problem{};
+    std::unique_ptr<wedged::ExactHold> exact{};
+    HoldFindings findings{};
+  };
+
   void check() const override;
   [[nodiscard]] nlohmann::ordered_json json(const CommandRun& run) const;
-  void refuse_without_loads() const;
-  void refuse_total() const;
-  wedged::LoadedProblem loads_of_cases(const support::LongWork& work);
+  void refuse_without_loads(const LoadCase& loads) const;
+  void refuse_total(const wedged::LoadedProblem& loaded) const;
+  wedged::LoadedProblem loads_of_cases(const problems::CheckedStructure& structure,
+                                       const support::LongWork& work);
+  void prepare_loads(CommandRun& run, LoadCase& loads);
+  void search_under(engine::Analysis& analysis, CommandRun& run, LoadCase& loads);
+  void search_at(engine::Analysis& analysis, LoadCase& loads,
+                 const wedged::HoldParameters& parameters, double mu);
+  [[nodiscard]] const LoadCase& shown() const { return loads_.at(shown_); }
+  [[nodiscard]] const wedged::LoadedProblem& problem() const { return shown().problem; }
 
   HoldOptions options_;
-  problems::CheckedStructure structure_;
   std::vector<problems::FacetWarning> facets_;
-  wedged::LoadedProblem loaded_;
-  std::unique_ptr<wedged::ExactHold> exact_;
+  std::deque<LoadCase> loads_;  // of each load case, which are answered one after the other
+  std::size_t shown_ = 0;       // the one whose state and motion are shown
   HoldFindings findings_;
 };
 
@@ -182,7 +197,7 @@ void Hold::describe(OptionTable& table) {
       "--mu", options_.points, at_least(0),
       "friction coefficient, or several: START:END:STEP, or a list with commas. Default: the "
       "smallest one for the dead load is computed");
-  table.load_case(options_.load_case);
+  table.load_case(options_.load_case, ". Default: what all load cases of the file hold");
   table.number("--mu-max", &options_.parameters.maximum, above(0),
                "upper limit of the search for the smallest coefficient");
   table
@@ -221,21 +236,22 @@ void Hold::describe(OptionTable& table) {
 }
 
 // Files without the requested load are refused.
-void Hold::refuse_without_loads() const {
-  const bool dead = loaded_.has_dead_part();
+void Hold::refuse_without_loads(const LoadCase& loads) const {
+  const bool dead = loads.problem.has_dead_part();
   const bool given = !options_.points.empty();
-  if (dead || (given && loaded_.has_reference)) return;
+  if (dead || (given && loads.problem.has_reference)) return;
   throw WrongInput(fmt::format(
-      "{}: there is no {}; expected [[loads]] of kind \"dead\"{}, or a clearance of [[contact]]",
+      "{}: there is no {}{}; expected [[loads]] of kind \"dead\"{}, or a clearance of [[contact]]",
       options_.input.file, given ? "load" : "dead load",
+      loads_.size() > 1 ? " in load case " + support::in_quotes(loads.name) : "",
       given ? " or \"reference\"" : ", or --mu for the factors of the reference load"));
 }
 
 // Wedged parts would add any sum to that of the others.
-void Hold::refuse_total() const {
+void Hold::refuse_total(const wedged::LoadedProblem& loaded) const {
   if (!options_.parameters.total) return;
   if (options_.grip) throw WrongInput("--grip: the sum is given by --total; expected one of them");
-  const auto parts = problems::blocks_of(loaded_.problem).size();
+  const auto parts = problems::blocks_of(loaded.problem).size();
   if (parts != 1) {
     throw WrongInput(fmt::format(
         "--total: the candidates are in {} decoupled parts; expected a file with one", parts));
@@ -243,16 +259,17 @@ void Hold::refuse_total() const {
 }
 
 // The two cases of a diagram, and the loads of both.
-wedged::LoadedProblem Hold::loads_of_cases(const support::LongWork& work) {
+wedged::LoadedProblem Hold::loads_of_cases(const problems::CheckedStructure& structure,
+                                           const support::LongWork& work) {
   const auto& file = options_.input.file;
-  options_.cases = problems::load_cases(structure_);
+  options_.cases = problems::load_cases(structure);
   if (options_.cases.size() != 2) {
     throw WrongInput(
         fmt::format("{}: --diagram: the file has {}; expected two, each with a reference "
                     "load",
                     file, answer::counted(options_.cases.size(), "load case")));
   }
-  for (const auto& load : structure_->loads) {
+  for (const auto& load : structure->loads) {
     const bool dead = load.kind == problems::Load::Kind::dead;
     if (dead == load.load_case.empty()) continue;
     throw WrongInput(fmt::format(
@@ -260,7 +277,7 @@ wedged::LoadedProblem Hold::loads_of_cases(const support::LongWork& work) {
         dead ? "a dead load belongs to one load case; expected dead loads common to all cases"
              : "a reference load belongs to no load case; expected one of the two"));
   }
-  auto loaded = wedged::loaded_problem(structure_, {options_.cases[0], options_.cases[1]}, work);
+  auto loaded = wedged::loaded_problem(structure, {options_.cases[0], options_.cases[1]}, work);
   if (!loaded.has_reference || !loaded.has_second) {
     throw WrongInput(
         fmt::format("{}: --diagram: a load case has no reference load; expected one in "
@@ -296,134 +313,165 @@ void Hold::prepare(CommandRun& run) {
   if (options_.points.empty() && (run.wants("--csv") || run.wants("--svg")))
     throw WrongInput("--csv, --svg: without --mu there are no load factors; expected --mu");
   auto [structure, facets] = options_.input.structure_and_facets(run);
-  structure_ = std::move(structure);
   facets_ = std::move(facets);
   if (!options_.points.empty())
     warn_of_facets(run, options_.input, facets_, options_.points.front());
-  structure_ = problems::in_chosen_case(structure_, options_.load_case);
-  if (!options_.diagram && !problems::load_cases(structure_).empty()) {
-    throw WrongInput(
-        fmt::format("{}: the file has load cases; expected --case with one of them: {}",
-                    options_.input.file, problems::choice_of_load_cases(structure_)));
+  structure = problems::in_chosen_case(structure, options_.load_case);
+  problems::check_certain(structure);
+  warn_all(run.session(), ignored_uncertainty(structure, run.name()));
+  const auto cases =
+      options_.diagram ? std::vector<std::string>() : problems::load_cases(structure);
+  if (cases.empty()) loads_.push_back({options_.load_case, structure});
+  for (const auto& name : cases)
+    loads_.push_back({name, problems::checked(problems::in_load_case(structure, name))});
+  if (loads_.size() > 1 && (options_.grip || !options_.certificate.empty())) {
+    throw WrongInput(fmt::format(
+        "{}: the file has load cases, and --grip and --certificate are for one of them; "
+        "expected --case with one of {}",
+        options_.input.file, problems::choice_of_load_cases(structure)));
   }
-  problems::check_certain(structure_);
-  warn_all(run.session(), ignored_uncertainty(structure_, run.name()));
-  loaded_ = run.within_limits([&](const auto& work) {
-    return options_.diagram ? loads_of_cases(work) : wedged::loaded_problem(structure_, work);
+  for (auto& each : loads_) prepare_loads(run, each);
+  run.keep_state(options_.checkpoint,
+                 {{"the problem", hexadecimal(problem().problem.provenance.fingerprint)},
+                  {"the loads", hexadecimal(fingerprint_of_loads(structure))}});
+}
+
+void Hold::prepare_loads(CommandRun& run, LoadCase& loads) {
+  const auto& structure = loads.structure;
+  auto& loaded = loads.problem;
+  loaded = run.within_limits([&](const auto& work) {
+    return options_.diagram ? loads_of_cases(structure, work)
+                            : wedged::loaded_problem(structure, work);
   });
   auto trials = options_.points;  // or the first coefficient of the search
   if (trials.empty()) trials.push_back(std::min(1.0, options_.parameters.maximum));
-  for (const double mu : trials) friction_at(loaded_.problem, mu, options_.input.file);
-  refuse_without_loads();
-  refuse_total();
-  make_equal_on_all_ranks(run.session(), loaded_.problem);
-  if (!options_.diagram)
-    exact_ = run.within_limits([&](const auto& work) {
-      return std::make_unique<wedged::ExactHold>(run.session().transport(), loaded_, structure_,
-                                                 options_.parameters.total,
-                                                 !options_.certificate.empty(), work);
-    });
-  run.keep_state(options_.checkpoint,
-                 {{"the problem", hexadecimal(loaded_.problem.provenance.fingerprint)},
-                  {"the loads", hexadecimal(fingerprint_of_loads(structure_))}});
+  for (const double mu : trials) friction_at(loaded.problem, mu, options_.input.file);
+  loads.findings.load_case = loads.name;
+  loads.findings.of_reference = loaded.has_reference;
+  refuse_without_loads(loads);
+  refuse_total(loaded);
+  make_equal_on_all_ranks(run.session(), loaded.problem);
+  if (options_.diagram) return;
+  loads.exact = run.within_limits([&](const auto& work) {
+    return std::make_unique<wedged::ExactHold>(run.session().transport(), loaded, structure,
+                                               options_.parameters.total,
+                                               !options_.certificate.empty(), work);
+  });
 }
 
 std::string Hold::announcement(const std::string& ranks) const {
   const auto& points = options_.points;
-  const auto text = [&](double mu) { return friction_text(loaded_.problem, mu); };
-  const auto at =
-      points.empty()
-          ? fmt::format("up to a friction coefficient of {}", text(options_.parameters.maximum))
-      : points.size() == 1 ? fmt::format("at friction coefficient {}", text(points.front()))
-                           : fmt::format("at {} friction coefficients from {} to {}", points.size(),
-                                         points.front(), text(points.back()));
-  return fmt::format("{}; {}; {}", problem_line(loaded_.problem), at, ranks);
+  const auto text = [&](double mu) { return friction_text(problem().problem, mu); };
+  const auto at = points.empty()       ? fmt::format("up to {}", text(options_.parameters.maximum))
+                  : points.size() == 1 ? fmt::format("at {}", text(points.front()))
+                                       : fmt::format("at {} coefficients, up to {}", points.size(),
+                                                     text(points.back()));
+  return fmt::format("{}; {}{}; {}", problem_line(problem().problem),
+                     loads_.size() > 1 ? answer::counted(loads_.size(), "load case") + ", " : "",
+                     at, ranks);
 }
 
 void Hold::search(CommandRun& run) {
   engine::Analysis analysis(run.session().transport(), run.analysis_options(options_.limits));
-  auto& parameters = options_.parameters;
   if (options_.diagram) {
-    findings_.diagram =
-        wedged::diagram_of(analysis, loaded_, options_.points.front(), parameters.precision);
+    findings_.diagram = wedged::diagram_of(analysis, problem(), options_.points.front(),
+                                           options_.parameters.precision);
     return;
   }
-  const auto files = hold_recorder(run.session(),
-                                   {options_.certificate, options_.input.file, options_.load_case,
-                                    parameters.total, run.quiet()},
-                                   loaded_);
-  exact_->note_statics(parameters);
+  std::vector<HoldFindings> found;
+  std::vector<std::string> names;
+  for (const auto& each : loads_) names.push_back(each.name);
+  for (auto& each : loads_) {
+    search_under(analysis, run, each);
+    found.push_back(each.findings);
+    if (found.back().status() != engine::Status::solved) break;
+  }
+  findings_ =
+      loads_.size() == 1 ? std::move(found.front()) : held_in_all(std::move(found), names, shown_);
+  if (const auto& friction = findings_.friction; friction && friction->bracket.upper)
+    warn_of_facets(run, options_.input, facets_, friction->bracket.upper->value);
+}
+
+void Hold::search_under(engine::Analysis& analysis, CommandRun& run, LoadCase& loads) {
+  auto& findings = loads.findings;
+  auto& exact = *loads.exact;
+  auto parameters = options_.parameters;
+  const auto files = hold_recorder(
+      run.session(),
+      {options_.certificate, options_.input.file, loads.name, parameters.total, run.quiet()},
+      loads.problem);
+  exact.note_statics(parameters);
   if (options_.certificate.empty()) parameters.nodes_of_evidence = wedged::max_nodes_of_evidence;
-  findings_.enclosed = exact_->can_prove();
-  if (findings_.enclosed) {
-    parameters.recorder = [this, files](wedged::HoldClaim claim, double mu) {
-      return exact_->record(claim, mu, files ? files(claim, mu) : nullptr);
+  findings.enclosed = exact.can_prove();
+  if (findings.enclosed) {
+    parameters.recorder = [&exact, files](wedged::HoldClaim claim, double mu) {
+      return exact.record(claim, mu, files ? files(claim, mu) : nullptr);
     };
   }
   if (options_.points.empty()) {
-    findings_.friction = wedged::holding_friction(analysis, loaded_, parameters);
-    exact_->set_standings(*findings_.friction);
-    if (const auto& upper = findings_.friction->bracket.upper)
-      warn_of_facets(run, options_.input, facets_, upper->value);
+    findings.friction = wedged::holding_friction(analysis, loads.problem, parameters);
+    exact.set_standings(*findings.friction);
   }
   for (const double mu : options_.points) {
-    search_at(analysis, mu);
-    if (findings_.status() != engine::Status::solved) return;
+    search_at(analysis, loads, parameters, mu);
+    if (findings.status() != engine::Status::solved) return;
   }
-  for (const auto& load : excluded_loads(options_, loaded_, findings_)) {
-    if (auto motion = wedged::excluding_motion(structure_, loaded_, load))
-      findings_.exclusions.push_back(*std::move(motion));
+  for (const auto& load : excluded_loads(options_, loads.problem, findings)) {
+    if (auto motion = wedged::excluding_motion(loads.structure, loads.problem, load,
+                                               analysis.budget().stop()))
+      findings.exclusions.push_back(*std::move(motion));
   }
 }
 
-void Hold::search_at(engine::Analysis& analysis, double mu) {
-  const auto& parameters = options_.parameters;
+void Hold::search_at(engine::Analysis& analysis, LoadCase& loads,
+                     const wedged::HoldParameters& parameters, double mu) {
+  auto& findings = loads.findings;
   const auto record =
       parameters.recorder ? parameters.recorder(wedged::HoldClaim::factors, mu) : nullptr;
   // A configuration that is wedged at some coefficient is so at every larger one.
-  const bool wedged = !findings_.points.empty() && findings_.points.back().factors.any_by_wedging;
-  HeldPoint point{.mu = mu};
+  const bool wedged = !findings.points.empty() && findings.points.back().factors.any_by_wedging;
+  HeldPoint point{.mu = mu, .load_case = loads.name};
   if (wedged) {
-    point.factors = findings_.points.back().factors;
+    point.factors = findings.points.back().factors;
     point.factors.costs.clear();
   } else {
-    point.factors = wedged::held_factors(analysis, loaded_, mu, parameters, record.get());
+    point.factors = wedged::held_factors(analysis, loads.problem, mu, parameters, record.get());
   }
   if (options_.grip && point.factors.status == engine::Status::solved)
-    point.grip = wedged::grip_range(analysis, loaded_, mu, parameters, record.get());
-  findings_.ended = point.status();
+    point.grip = wedged::grip_range(analysis, loads.problem, mu, parameters, record.get());
+  findings.ended = point.status();
   if (record) {
     record->finish();
-    findings_.certified = exact_->proves_factors();
+    findings.certified = loads.exact->proves_factors();
   }
-  if (!wedged) exact_->set_standings(point.factors);
-  if (point.grip) exact_->set_standings(*point.grip);
-  if (options_.points.size() > 1 && findings_.ended != engine::Status::solved)
-    findings_.costs_left = point.costs();
+  if (!wedged) loads.exact->set_standings(point.factors);
+  if (point.grip) loads.exact->set_standings(*point.grip);
+  if (options_.points.size() > 1 && findings.ended != engine::Status::solved)
+    findings.costs_left = point.costs();
   else
-    findings_.points.push_back(std::move(point));
+    findings.points.push_back(std::move(point));
 }
 
 std::vector<Step> Hold::results(CommandRun& run) {
   return {
       run.result([this, &run] { return json(run); }),
-      run.file("--csv", [this](auto& out) { write_held_csv(out, options_, loaded_, findings_); }),
+      run.file("--csv", [this](auto& out) { write_held_csv(out, options_, problem(), findings_); }),
       run.file("--svg",
                [this, &run](auto& out) {
                  const ResultReader result(json(run), "the result");
                  write_chart(out, hold_chart(result, answer::headline(verdict())).value());
                }),
-      run.answer([this] { return hold_table(options_, loaded_, findings_); })};
+      run.answer([this] { return hold_table(options_, problem(), findings_); })};
 }
 
 nlohmann::ordered_json Hold::json(const CommandRun& run) const {
-  return run.result_json(problem_json(structure_, loaded_.problem, options_.input.file),
-                         hold_json(options_, *structure_, loaded_, findings_),
+  return run.result_json(problem_json(shown().structure, problem().problem, options_.input.file),
+                         hold_json(options_, *shown().structure, problem(), findings_),
                          costs_json(findings_));
 }
 
 answer::Verdict Hold::verdict() const {
-  return hold_verdict(options_, loaded_, findings_);
+  return hold_verdict(options_, problem(), findings_);
 }
 
 }  // namespace

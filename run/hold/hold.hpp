@@ -40,6 +40,7 @@ struct HoldOptions {
 /// Factors that are held at one friction coefficient.
 struct HeldPoint {
   double mu = 0;
+  std::string load_case{};  ///< of several, the one whose states are shown
   wedged::HeldFactors factors{};
   std::optional<wedged::GripRange> grip{};
 
@@ -55,6 +56,8 @@ struct HeldPoint {
 
 /// `friction` or `diagram` is present after the search, or there are points.
 struct HoldFindings {
+  std::string load_case{};   ///< empty: all loads of the file act
+  bool of_reference = true;  ///< a reference load acts, in some load case
   std::optional<wedged::HoldingFriction> friction{};
   std::vector<HeldPoint>
       points{};            ///< of the options, in their order; of several, only complete ones
@@ -66,15 +69,26 @@ struct HoldFindings {
   engine::Status ended = engine::Status::solved;  ///< of the points
   std::vector<wedged::HoldCost> costs_left{};     ///< of a point that is not complete
 
+  /// Those of several load cases. The members above are then what all of them hold, with
+  /// the state of the case `load_case`, and costs are those of the cases.
+  std::vector<HoldFindings> cases{};
+  /// Names of cases that decide the common answer; empty: none is known to.
+  struct Decisive {
+    std::string smallest{};  ///< bounds the factors from below
+    std::string largest{};   ///< bounds them from above, or needs most friction
+    std::string none{};      ///< holds nothing
+  } decisive{};
+
   [[nodiscard]] engine::Status status() const {
     if (friction) return friction->status;
     if (diagram) return diagram->status;
     return ended;
   }
   [[nodiscard]] std::vector<wedged::HoldCost> costs() const {
-    if (friction) return friction->costs;
     if (diagram) return diagram->costs;
     std::vector<wedged::HoldCost> all;
+    for (const auto& each : cases) std::ranges::move(each.costs(), std::back_inserter(all));
+    if (friction) std::ranges::copy(friction->costs, std::back_inserter(all));
     for (const auto& point : points) std::ranges::move(point.costs(), std::back_inserter(all));
     std::ranges::copy(costs_left, std::back_inserter(all));
     return all;
@@ -90,12 +104,19 @@ std::string contact_of(const wedged::LoadedProblem& loaded, const wedged::Loaded
 nlohmann::ordered_json pattern_names(const wedged::LoadedProblem& loaded,
                                      const wedged::LoadedPattern& pattern);
 
+/// Answer for all load cases. Each was searched at the same coefficients; after an early end some
+/// are missing.
+/// @param cases those searched @param names of all  @param shown set to the index of the one whose
+/// state is shown: that which needs most friction, or bounds the factors from above, else from below
+HoldFindings held_in_all(std::vector<HoldFindings> cases, const std::vector<std::string>& names,
+                         std::size_t& shown);
+
 /// The answer without --mu.
-answer::HoldingBracket bracket_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                                  const wedged::HoldingFriction& found);
-/// The answer at one coefficient, with its grip range if that is complete.
+answer::HoldingBracket bracket_of(const wedged::LoadedProblem& loaded,
+                                  const HoldFindings& findings);
+/// The answer at one of the coefficients, with its grip range if that is complete.
 answer::HoldingFactors factors_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                                  const HeldPoint& point);
+                                  const HoldFindings& findings, std::size_t point);
 
 /// Bracket or intervals, and the costs of the searches.
 std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& loaded,
@@ -121,8 +142,10 @@ answer::Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedPro
 nlohmann::ordered_json diagram_pieces(const wedged::LoadedProblem& loaded,
                                       const wedged::Diagram& diagram);
 
-/// One row per piece.
-std::string diagram_table(const wedged::LoadedProblem& loaded, const wedged::Diagram& diagram);
+/// One row per piece, then one per vertex and direction.
+/// @param cases names of both load cases
+std::string diagram_table(const wedged::LoadedProblem& loaded,
+                          const std::vector<std::string>& cases, const wedged::Diagram& diagram);
 
 /// One row per vertex or direction of a piece, or per interval.
 void write_held_csv(std::ostream& out, const HoldOptions& options,

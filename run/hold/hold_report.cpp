@@ -1,4 +1,5 @@
 // Table and JSON of `kusabi hold`.
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -155,7 +156,7 @@ std::vector<wedged::ExcludedLoad> excluded_loads(const HoldOptions& options,
   if (findings.friction) {
     const auto& lower = findings.friction->bracket.lower;
     if (!lower || findings.friction->not_in_equilibrium || lower->value == 0) return {};
-    return {{lower->value, dead_alone, Side::less}};
+    return {{lower->value, dead_alone, Side::less_friction}};
   }
   if (findings.points.size() != 1 || options.points.size() != 1 || options.parameters.total)
     return {};
@@ -224,9 +225,23 @@ std::string interval_rows(const wedged::LoadedProblem& loaded, const HeldPoint& 
   return text;
 }
 
+// The state in which the dead load is held; nothing if it is not.
+std::string dead_load_lines(const wedged::LoadedProblem& loaded, const HeldPoint& point,
+                            const answer::HoldingFactors& answer) {
+  std::string text;
+  for (const auto& each : point.factors.intervals) {
+    text += fmt::format("\nin contact: {}\n", contact_of(loaded, each.block, each.pattern));
+    text += reactions_text(loaded, each.block, each.pattern, each.state, under_factor(0, 0, 0));
+  }
+  if (answer.grip) text += answer::grip_line(*answer.grip);
+  return text;
+}
+
 std::string point_table(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                        const HeldPoint& point) {
-  const auto answer = factors_of(options, loaded, point);
+                        const HoldFindings& findings) {
+  const auto& point = findings.points.front();
+  const auto answer = factors_of(options, loaded, findings, 0);
+  if (!answer.of_reference) return dead_load_lines(loaded, point, answer);
   auto text = interval_head(fmt::format("{:>5}", "")) +
               interval_rows(loaded, point, answer,
                             [](std::size_t number) { return fmt::format("{:>5}", number); });
@@ -235,7 +250,7 @@ std::string point_table(const HoldOptions& options, const wedged::LoadedProblem&
     text += reactions_text(loaded, each.block, each.pattern, each.state,
                            under_factor(each.state->factor, each.low, each.high));
   }
-  text += fmt::format("(factors of the reference load at friction coefficient {})\n",
+  text += fmt::format("(factors of the reference load at {})\n",
                       friction_text(loaded.problem, point.mu));
   if (answer.grip) text += answer::grip_line(*answer.grip);
   return text;
@@ -243,12 +258,13 @@ std::string point_table(const HoldOptions& options, const wedged::LoadedProblem&
 
 // One row for each interval, and one for a coefficient without any.
 std::string points_table(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                         const std::vector<HeldPoint>& points) {
+                         const HoldFindings& findings) {
   auto text = interval_head(fmt::format("{:>8}", "mu"));
   std::string grips;
-  for (const auto& point : points) {
+  for (std::size_t k = 0; k < findings.points.size(); ++k) {
+    const auto& point = findings.points[k];
     const auto mu = fmt::format("{:>8}", point.mu);
-    const auto answer = factors_of(options, loaded, point);
+    const auto answer = factors_of(options, loaded, findings, k);
     text += interval_rows(loaded, point, answer, [&](std::size_t /*number*/) { return mu; });
     if (answer.intervals.empty())
       text += fmt::format("{}  {:>18}  {:>18}  {}\n", mu, "-", "-",
@@ -258,11 +274,64 @@ std::string points_table(const HoldOptions& options, const wedged::LoadedProblem
                            answer::grip_line(*answer.grip));
   }
   return text +
-         fmt::format("(factors of the reference load at friction coefficients {})\n",
-                     problems::uniform_friction(loaded.problem)
-                         ? "mu"
-                         : fmt::format("mu{}", answer::of_each_candidate(true))) +
+         fmt::format("(factors of the reference load at {})\n",
+                     answer::friction_words("mu", !problems::uniform_friction(loaded.problem))) +
          grips;
+}
+
+std::string bound_text(const std::optional<support::Bound>& bound, bool upper) {
+  if (!bound) return "-";
+  return upper ? support::rounded_up(bound->value, support::digits_of_table)
+               : support::rounded_down(bound->value, support::digits_of_table);
+}
+
+// One row for each load case, or for each of its intervals.
+std::string cases_table(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                        const HoldFindings& findings) {
+  std::size_t width = std::string_view("load case").size();
+  for (const auto& each : findings.cases) width = std::max(width, each.load_case.size());
+  std::string text;
+  const auto out = std::back_inserter(text);
+  const auto first = [&](const std::string& name) { return fmt::format("{:<{}}", name, width); };
+  if (findings.friction) {
+    fmt::format_to(out, "\n{}  {:>18}  {:>18}  {}\n", first("load case"), "cannot be held at",
+                   "can be held at", "in contact");
+    for (const auto& each : findings.cases) {
+      const auto& own = *each.friction;
+      fmt::format_to(
+          out, "{}  {:>18}  {:>18}  {}\n", first(each.load_case),
+          bound_text(own.bracket.lower, false), bound_text(own.bracket.upper, true),
+          own.any_by_supports ? "held by supports" : contact_of(loaded, own.block, own.pattern));
+    }
+    return text;
+  }
+  const bool several = options.points.size() > 1;
+  const auto head = first("load case") + (several ? fmt::format("  {:>8}", "mu") : "");
+  text = findings.of_reference
+             ? interval_head(head)
+             : fmt::format("\n{}  {:<9}  {:<15}  in contact\n", head, "dead load", "standing");
+  for (const auto& each : findings.cases) {
+    for (std::size_t k = 0; k < each.points.size(); ++k) {
+      const auto name =
+          first(each.load_case) + (several ? fmt::format("  {:>8}", options.points[k]) : "");
+      const auto answer = factors_of(options, loaded, each, k);
+      if (findings.of_reference) {
+        text += interval_rows(loaded, each.points[k], answer, [&](std::size_t) { return name; });
+        if (answer.intervals.empty())
+          fmt::format_to(out, "{}  {:>18}  {:>18}  {}\n", name, "-", "-",
+                         answer::none_standing_words(answer.outside));
+      } else if (answer.intervals.empty()) {
+        fmt::format_to(out, "{}  {:<9}  {:<15}  -\n", name, answer.open ? "not known" : "not held",
+                       answer.outside ? answer::standing_word(*answer.outside) : "-");
+      } else {
+        const auto& held = each.points[k].factors.intervals.front();
+        fmt::format_to(out, "{}  {:<9}  {:<15}  {}\n", name, "held",
+                       answer::name_of(answer.intervals.front().standing),
+                       contact_of(loaded, held.block, held.pattern));
+      }
+    }
+  }
+  return text;
 }
 
 }  // namespace
@@ -273,7 +342,7 @@ std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& 
   const auto out = std::back_inserter(text);
   if (findings.friction) {
     const auto& found = *findings.friction;
-    const auto answer = bracket_of(options, loaded, found);
+    const auto answer = bracket_of(loaded, findings);
     if (found.bracket.upper || answer.reason == answer::HoldReason::searched)
       text += '\n' + answer::bracket_line(answer);
     if (found.bracket.upper) {
@@ -282,12 +351,13 @@ std::string hold_table(const HoldOptions& options, const wedged::LoadedProblem& 
           reactions_text(loaded, found.block, found.pattern, found.state, under_factor(0, 0, 0));
     }
   } else if (findings.diagram) {
-    text += diagram_table(loaded, *findings.diagram);
-  } else if (options.points.size() > 1) {
-    text += points_table(options, loaded, findings.points);
-  } else {
-    text += point_table(options, loaded, findings.points.front());
+    text += diagram_table(loaded, options.cases, *findings.diagram);
+  } else if (options.points.size() > 1 && !findings.points.empty()) {
+    text += points_table(options, loaded, findings);
+  } else if (!findings.points.empty()) {
+    text += point_table(options, loaded, findings);
   }
+  if (!findings.cases.empty()) text += cases_table(options, loaded, findings);
   std::uint64_t opened = 0;
   for (const auto& cost : findings.costs()) opened += cost.opened;
   fmt::format_to(out, "\n{}, {}\n", answer::counted(findings.costs().size(), "tree"),

@@ -1,6 +1,5 @@
 // Answers of `kusabi hold` with what is proved of each.
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -94,24 +93,21 @@ std::string bodies_words(const problems::BodyMotion& motion) {
   return text;
 }
 
-// " Friction is used up at a, b; contact is lost at c." Nothing if contact is lost everywhere: such a
-// motion, far from the end of a range, is one of many.
-std::string contacts_words(const wedged::LoadedProblem& loaded,
-                           const wedged::ExcludingMotion& motion) {
+// "friction is used up at a, b; contact is lost at c"; empty without candidates.
+// @param slides, opens words before the names of sliding and of opening candidates
+std::string contacts_words(const wedged::LoadedProblem& loaded, const std::string& slides,
+                           const support::IndexSet& sliding, const std::string& opens,
+                           const support::IndexSet& opening) {
   constexpr int most = 6;
   const auto names = [&](const support::IndexSet& set) {
     return set.size() > most
                ? answer::counted(set.size(), "candidate")
                : fmt::format("{}", fmt::join(candidate_names(loaded.problem, set), ", "));
   };
-  if (motion.opens_all) return {};
   std::vector<std::string> parts;
-  if (!motion.sliding.empty()) parts.push_back("friction is used up at " + names(motion.sliding));
-  if (!motion.opening.empty()) parts.push_back("contact is lost at " + names(motion.opening));
-  if (parts.empty()) return {};
-  auto text = fmt::format(" {}.", fmt::join(parts, "; "));
-  text[1] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[1])));
-  return text;
+  if (!sliding.empty()) parts.push_back(slides + names(sliding));
+  if (!opening.empty()) parts.push_back(opens + names(opening));
+  return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 // Why a load beyond the answer cannot be held.
@@ -123,10 +119,79 @@ std::string exclusion_words(const wedged::LoadedProblem& loaded, const HoldFindi
     if (motion.load.side == Side::alone) return loaded.has_reference ? " the dead load alone" : "";
     return motion.load.side == Side::more ? " a larger factor" : " a smaller factor";
   };
+  // If contact is lost everywhere, far from the end of a range, the motion is one of many.
+  const auto contacts = motion.opens_all
+                            ? ""
+                            : contacts_words(loaded, "contact slides at ", motion.sliding,
+                                             "contact opens at ", motion.opening);
   return fmt::format(
-      "Why not{}? Statics alone excludes it: if {}, the load does positive work, and no reaction "
-      "within its friction cone does negative work.{}",
-      beyond(), bodies_words(motion.bodies), contacts_words(loaded, motion));
+      "Why not{}? Statics alone excludes it: if {}, the load does positive work, and reactions "
+      "within their friction cones can only add to it.{}",
+      beyond(), bodies_words(motion.bodies),
+      contacts.empty() ? "" : fmt::format(" {}.", answer::capital(contacts)));
+}
+
+// "At the largest factor friction is used up at a, b; contact is lost at c." Nothing if neither is so,
+// if a motion says why the factor is the largest, or if the state is not at an end.
+std::string end_words(const HoldOptions& options, const wedged::LoadedProblem& loaded,
+                      const HoldFindings& findings) {
+  constexpr double near = 1e-6;  // of an inequality to its limit: the state is 10^-9 from the end
+  using Side = wedged::ExcludedLoad::Side;
+  if (findings.points.size() != 1 || options.points.size() != 1 || !findings.of_reference ||
+      findings.status() != engine::Status::solved)
+    return {};
+  const auto& found = findings.points.front().factors;
+  if (found.intervals.size() != 1 || found.unresolved) return {};
+  const auto& held = found.intervals.front();
+  if (!held.state || !held.pattern) return {};
+  const bool high = held.state->factor == held.high;
+  if (!std::isfinite(held.state->factor) || (!high && held.state->factor != held.low)) return {};
+  const double out = (high ? held.high_out : held.low_out).value;
+  if (!(std::abs(out - held.state->factor) <= near * std::abs(out))) return {};
+  const auto side = high ? Side::more : Side::less;
+  if (std::ranges::any_of(findings.exclusions,
+                          [&](const auto& motion) { return motion.load.side == side; }))
+    return {};
+  const auto& problem = loaded.problem;
+  const auto d = static_cast<std::size_t>(problem.dimension);
+  const auto block = problems::blocks_of(problem)[held.block];
+  const auto reaction_of = [&](int i) {
+    return std::span(held.state->reaction).subspan(d * static_cast<std::size_t>(i), d);
+  };
+  double largest = 0;
+  for (const int i : held.pattern->contact) largest = std::max(largest, reaction_of(i).front());
+  support::IndexSet sliding, opening;  // of the block
+  auto whole = block.begin();
+  for (int i = 0; i < block.size(); ++i, ++whole) {
+    if (!held.pattern->contact.contains(i)) continue;
+    const auto r = reaction_of(i);
+    const double mu = options.points.front() * problem.friction[static_cast<std::size_t>(*whole)];
+    if (r.front() <= near * largest)
+      opening.insert(i);
+    else if (mu > 0 && std::hypot(r[1], d == 3 ? r[2] : 0) >= (1 - near) * mu * r.front())
+      sliding.insert(i);
+  }
+  const auto text =
+      contacts_words(loaded, "friction is used up at ", problems::in_whole(sliding, block),
+                     "contact is lost at ", problems::in_whole(opening, block));
+  if (text.empty()) return {};
+  return fmt::format("At the {} factor {}.", high ? "largest" : "smallest", text);
+}
+
+// Load cases that decide the answer. Nothing if none is known to.
+std::string decisive_words(const HoldFindings& findings) {
+  const auto& [smallest, largest, none] = findings.decisive;
+  const auto named = [](const std::string& name) { return support::in_quotes(name); };
+  if (findings.friction)
+    return largest.empty() ? "" : fmt::format("Load case {} needs most friction.", named(largest));
+  if (!largest.empty() && smallest == largest)
+    return fmt::format("Load case {} bounds the factors on both sides.", named(largest));
+  std::vector<std::string> parts;
+  if (!smallest.empty())
+    parts.push_back("the smallest factor is that of load case " + named(smallest));
+  if (!largest.empty())
+    parts.push_back("the largest factor is that of load case " + named(largest));
+  return parts.empty() ? "" : answer::capital(fmt::format("{}.", fmt::join(parts, ", ")));
 }
 
 // A sentence for each certificate that was not written. The least coefficient, zero, has none
@@ -149,26 +214,32 @@ std::vector<std::string> missing_certificates(const HoldFindings& findings) {
 
 }  // namespace
 
-answer::HoldingBracket bracket_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                                  const wedged::HoldingFriction& found) {
+answer::HoldingBracket bracket_of(const wedged::LoadedProblem& loaded,
+                                  const HoldFindings& findings) {
+  const auto& found = *findings.friction;
   answer::HoldingBracket answer{.bracket = found.bracket,
                                 .factor = !problems::uniform_friction(loaded.problem),
                                 .maximum = found.maximum};
-  answer.load_case = options.load_case;
+  answer.load_case = findings.load_case;
   if (found.any_by_supports) answer.reason = answer::HoldReason::supports;
   if (found.not_in_equilibrium) answer.reason = answer::HoldReason::unbalanced;
+  for (const auto& each : findings.cases) {
+    const auto own = bracket_of(loaded, each);
+    answer.cases.push_back({each.load_case, own.bracket, own.reason});
+  }
   return answer;
 }
 
 answer::HoldingFactors factors_of(const HoldOptions& options, const wedged::LoadedProblem& loaded,
-                                  const HeldPoint& point) {
+                                  const HoldFindings& findings, std::size_t index) {
+  const HeldPoint& point = findings.points.at(index);
   const auto& found = point.factors;
   answer::HoldingFactors answer{.friction = point.mu,
                                 .factor = !problems::uniform_friction(loaded.problem),
-                                .of_reference = loaded.has_reference,
+                                .of_reference = findings.of_reference,
                                 .intervals = {},
                                 .open = found.unresolved || found.status != engine::Status::solved};
-  answer.load_case = options.load_case;
+  answer.load_case = point.load_case;
   answer.total = options.parameters.total;
   if (found.any_by_supports) answer.reason = answer::HoldReason::supports;
   if (found.any_by_wedging) answer.reason = answer::HoldReason::wedging;
@@ -181,6 +252,15 @@ answer::HoldingFactors factors_of(const HoldOptions& options, const wedged::Load
   if (!answer.open && !answer.holds_all()) answer.outside = found.outside;
   if (point.grip && point.grip->status == engine::Status::solved)
     answer.grip = grip_of(*point.grip);
+  for (const auto& each : findings.cases) {
+    if (index >= each.points.size()) {
+      answer.cases.push_back({.name = each.load_case, .open = true});
+      continue;
+    }
+    auto own = factors_of(options, loaded, each, index);
+    answer.cases.push_back(
+        {each.load_case, std::move(own.intervals), own.outside, own.open, own.reason});
+  }
   return answer;
 }
 
@@ -188,8 +268,12 @@ answer::Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedPro
                              const HoldFindings& findings) {
   answer::Verdict verdict{.ended = findings.status()};
   bool any = false;
+  if (!findings.cases.empty()) {
+    if (auto text = decisive_words(findings); !text.empty())
+      verdict.details.push_back(std::move(text));
+  }
   if (findings.friction) {
-    verdict.answer = bracket_of(options, loaded, *findings.friction);
+    verdict.answer = bracket_of(loaded, findings);
     any = findings.friction->any_by_supports;
     if (auto text = one_state(loaded, *findings.friction); !text.empty())
       verdict.details.push_back(std::move(text));
@@ -197,12 +281,12 @@ answer::Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedPro
     verdict.answer = diagram_of(options, loaded, *findings.diagram);
   } else if (options.points.size() > 1) {
     answer::HoldingSweep sweep{.requested = options.points.size()};
-    for (const auto& point : findings.points)
-      sweep.points.push_back(factors_of(options, loaded, point));
+    for (std::size_t k = 0; k < findings.points.size(); ++k)
+      sweep.points.push_back(factors_of(options, loaded, findings, k));
     verdict.answer = std::move(sweep);
     any = !findings.points.empty() && findings.points.front().factors.any_by_supports;
   } else if (!findings.points.empty()) {
-    auto factors = factors_of(options, loaded, findings.points.front());
+    auto factors = factors_of(options, loaded, findings, 0);
     if (factors.grip)
       verdict.details.push_back(answer::grip_sentence(*factors.grip));
     else if (options.grip)
@@ -212,6 +296,8 @@ answer::Verdict hold_verdict(const HoldOptions& options, const wedged::LoadedPro
   }
   for (const auto& motion : findings.exclusions)
     verdict.details.push_back(exclusion_words(loaded, findings, motion));
+  if (auto text = end_words(options, loaded, findings); !text.empty())
+    verdict.details.push_back(std::move(text));
   if (!options.certificate.empty())
     std::ranges::move(missing_certificates(findings), std::back_inserter(verdict.missing));
   if (!any) {

@@ -336,7 +336,7 @@ void Patterns::record_nodes(CommandRun& run) {
 }
 
 std::string Patterns::announcement(const std::string& ranks) const {
-  return fmt::format("{}; friction coefficient {}; {}", problem_line(contact_.problem),
+  return fmt::format("{}; {}; {}", problem_line(contact_.problem),
                      friction_text(contact_.problem, options_.friction), ranks);
 }
 
@@ -392,7 +392,7 @@ void Patterns::draw(OutputFolder& folder, const WholeStates& states) const {
   for (std::size_t i = 0; i < count; ++i) {
     const auto& leaf = leaves[i];
     series.add(numbered_vtu("pattern", i + 1, count),
-               grids.grid({fmt::format("pattern {} at friction coefficient {}", i + 1,
+               grids.grid({fmt::format("pattern {} at {}", i + 1,
                                        friction_text(contact_.problem, options_.friction)),
                            options_.friction, leaf.lower},
                           leaf.block, leaf.pattern, findings_->inactive(), leaf.reaction,

@@ -151,22 +151,23 @@ std::string PatternsReport::largest_margin() const {
 std::string PatternsReport::needed_friction(const wedged::Configuration& configuration,
                                             const FrictionNeed& need) const {
   if (need.slips.empty()) return " Its configuration with this margin needs no friction.";
-  const auto factor = answer::of_each_candidate(!problems::uniform_friction(problem_));
+  const bool factor = !problems::uniform_friction(problem_);
+  const auto need_text =
+      needed_friction_text(need.coefficient, options_.friction, support::digits_of_sentence);
   std::string others = "others of the pattern may need less";
   if (!brackets_.empty()) {
     const auto number = static_cast<std::size_t>(best() - findings_.leaves.begin());
     const auto& upper = brackets_[number].upper;
     if (upper && number != first_to_stick()) {  // that one has a sentence of its own
-      others = fmt::format("the pattern sticks from {}{} on{}", support::rounded_up(*upper), factor,
+      others = fmt::format("the pattern sticks from {} on{}",
+                           answer::short_friction_words(support::rounded_up(*upper), factor),
                            answer::unless_proved(support::Standing::computed));
     }
   }
   return fmt::format(
-      " Its configuration with this margin needs a friction coefficient of {}{}; with less, {}; "
-      "{}.",
-      needed_friction_text(need.coefficient, options_.friction, support::digits_of_sentence),
-      factor, slip_words(problem_, configuration.block, configuration.pattern.contact, need),
-      others);
+      " Its configuration with this margin needs {}; with less, {}; {}.",
+      factor ? answer::friction_words(need_text, factor) : "a friction coefficient of " + need_text,
+      slip_words(problem_, configuration.block, configuration.pattern.contact, need), others);
 }
 
 std::size_t PatternsReport::first_to_stick() const {
@@ -182,10 +183,10 @@ std::string PatternsReport::least_friction() const {
   const auto first = first_to_stick();
   const auto& upper = brackets_[first].upper;
   if (!upper) return "From which coefficient on the patterns stick is not known.";
-  return fmt::format("Pattern {} sticks with the least friction of those listed, from {}{} on{}.",
-                     first + 1, support::rounded_up(*upper),
-                     answer::of_each_candidate(!problems::uniform_friction(problem_)),
-                     answer::unless_proved(support::Standing::computed));
+  return fmt::format(
+      "Pattern {} sticks with the least friction of those listed, from {} on{}.", first + 1,
+      answer::friction_words(support::rounded_up(*upper), !problems::uniform_friction(problem_)),
+      answer::unless_proved(support::Standing::computed));
 }
 
 // The pattern that holds the largest factor, for each unit of its normal reactions. Patterns
@@ -226,7 +227,7 @@ std::string PatternsReport::details() const {
     return findings_.whole() ? "" : one ? " is known" : " are known";
   };
   fmt::format_to(out,
-                 "\n{} of wedged configurations{} at friction coefficient {}; {} marginal "
+                 "\n{} of wedged configurations{} at {}; {} marginal "
                  "(|t*| <= {})\n",
                  patterns(count), known(count == 1U), friction_text(problem_, options_.friction),
                  findings_.marginal, options_.parameters.tree.tolerances.sign);

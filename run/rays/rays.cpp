@@ -257,8 +257,7 @@ std::string RaysReport::summary() const {
   }
   // The cones follow from all rays.
   const bool whole = found_.status == engine::Status::solved;
-  fmt::format_to(out, "\n{}{}{} at friction coefficient {}, by {}\n",
-                 answer::counted(found_.count(), "extremal ray"),
+  fmt::format_to(out, "\n{}{}{} at {}, by {}\n", answer::counted(found_.count(), "extremal ray"),
                  problem_.modes.bodies.empty()
                      ? ""
                      : fmt::format(" and {} without reactions",
@@ -535,7 +534,7 @@ std::string Rays::announcement(const std::string& ranks) const {
   const auto longest = options_.lines ? wedged::longest_recorded_list : wedged::longest_list;
   const auto megabytes =
       std::max<std::uint64_t>(wedged::memory_of_lists(cone_->candidates(), longest) >> 20U, 1);
-  return fmt::format("{}; friction coefficient {}; {} on {}{}", problem_line(contact_.problem),
+  return fmt::format("{}; {}; {} on {}{}", problem_line(contact_.problem),
                      friction_text(contact_.problem, options_.friction),
                      by_pattern ? "the tree of sign patterns" : "double description", ranks,
                      options_.method == RayMethod::automatic
@@ -575,7 +574,7 @@ void Rays::draw_all(OutputFolder& folder, const WholeStates& states) const {
   for (std::size_t i = 0; i < count; ++i) {
     const auto ray = cone_->ray(found_.rays[i], health);
     series.add(numbered_vtu("ray", i + 1, count),
-               grids.grid({fmt::format("ray {} at friction coefficient {}", i + 1,
+               grids.grid({fmt::format("ray {} at {}", i + 1,
                                        friction_text(contact_.problem, options_.friction)),
                            options_.friction},
                           numbers(ray.reaction), numbers(ray.displacement),

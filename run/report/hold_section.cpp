@@ -60,6 +60,15 @@ std::string standing_of_none(const ResultReader& reader, const ResultJson& point
   return answer::none_standing_words(standing_in(reader.text(point, "outside")));
 }
 
+// The ends of an interval, which are held.
+void add_ends(Markup& page, const ResultReader& reader, const ResultJson& interval) {
+  const auto [low, high] = held_ends(reader, interval);
+  const auto [from, to] = held_range(reader, interval);
+  const auto shown = shown_ends(from, to, many_digits);
+  add_end(page, low, shown.low);
+  add_end(page, high, shown.high);
+}
+
 // Rows of a table begin with the friction coefficient.
 void begin_row(Markup& page, const ResultReader& reader, const ResultJson& point) {
   page.open("tr").open("td");
@@ -76,17 +85,13 @@ void add_intervals(Markup& page, const ResultReader& reader, const ResultJson& p
   begin_table(page,
               reference ? "Factors of the reference load that can be held"
                         : "Friction coefficients at which the dead load can be held",
-              {"friction coefficient" + of_each_candidate(reader), "from", "to", "standing",
+              {answer::friction_name(has_own_friction(reader)), "from", "to", "standing",
                "in contact at an end"});
   for (const auto& point : points) {
     const auto& intervals = reader.list(point, "intervals");
     for (const auto& each : intervals) {
       begin_row(page, reader, point);
-      const auto [low, high] = held_ends(reader, each);
-      const auto [from, to] = held_range(reader, each);
-      const auto shown = shown_ends(from, to, many_digits);
-      add_end(page, low, shown.low);
-      add_end(page, high, shown.high);
+      add_ends(page, reader, each);
       page.element("td", reader.text(each, "standing"));
       const auto* const pattern = ResultReader::find(each, "pattern");
       page.element("td", pattern == nullptr ? "–" : joined(reader.names(*pattern, "contact")));
@@ -105,8 +110,8 @@ void add_grips(Markup& page, const ResultReader& reader, const ResultJson& point
   const auto grip_of = [](const ResultJson& point) { return ResultReader::find(point, "grip"); };
   if (std::ranges::none_of(points, grip_of)) return;
   begin_table(page, "Sum of the normal reactions under the dead load alone",
-              {"friction coefficient" + of_each_candidate(reader), "at least", "standing",
-               "at most", "standing"});
+              {answer::friction_name(has_own_friction(reader)), "at least", "standing", "at most",
+               "standing"});
   for (const auto& point : points) {
     const auto* const grip = grip_of(point);
     if (grip == nullptr) continue;
@@ -163,12 +168,71 @@ void add_motion(Markup& page, const ResultReader& reader, const ResultJson& moti
     const auto list = reader.names(motion, key);
     if (!list.empty()) add_fact(page, label, joined(list));
   };
-  names("sliding", "friction is used up at");
-  names("opening", "contact is lost at");
+  names("sliding", "contact slides at");
+  names("opening", "contact opens at");
   end_table(page);
 }
 
 }  // namespace
+
+void add_load_cases(Markup& page, const ResultReader& reader) {
+  const auto& result = reader.at(reader.all(), "result");
+  const bool pairs = ResultReader::find(result, "pieces") != nullptr;
+  if (pairs || ResultReader::find(result, "cases") == nullptr) return;
+  const auto& cases = reader.list(result, "cases");
+  const bool friction = ResultReader::find(result, "holding_friction") != nullptr;
+  const auto* const of_reference = ResultReader::find(result, "of_reference");
+  const bool reference = of_reference != nullptr && *of_reference == true;
+  page.open("section", {{"id", "load-cases"}}).element("h2", "Load cases");
+  if (friction) {
+    begin_table(page,
+                "Friction that each load case needs: " +
+                    std::string(answer::friction_name(has_own_friction(reader))),
+                {"load case", "cannot be held at", "standing", "can be held at", "standing"});
+  } else if (reference) {
+    begin_table(page, "Factors of the reference load that each load case holds",
+                {"load case", "from", "to", "standing"});
+  } else {
+    begin_table(page, "Load cases in which the dead load can be held",
+                {"load case", "held", "standing"});
+  }
+  for (const auto& each : cases) {
+    const auto begin = [&] { page.open("tr").element("td", reader.text(each, "case")); };
+    if (friction) {
+      begin();
+      const auto& bracket = reader.at(each, "holding_friction");
+      for (const char* const end : {"lower", "upper"}) {
+        page.open("td");
+        add_bound(page, reader, &bracket, end);
+        page.close().element("td", standing_of(reader, &bracket, end));
+      }
+      page.close();
+      continue;
+    }
+    if (!reference) {
+      const auto& held = reader.list(each, "intervals");
+      begin();
+      page.element("td", held.empty() ? "no" : "yes");
+      page.element("td", held.empty() ? standing_of_none(reader, each)
+                                      : reader.text(held.front(), "standing"));
+      page.close();
+      continue;
+    }
+    for (const auto& interval : reader.list(each, "intervals")) {
+      begin();
+      add_ends(page, reader, interval);
+      page.element("td", reader.text(interval, "standing")).close();
+    }
+    if (!reader.list(each, "intervals").empty()) continue;
+    begin();
+    page.element("td", "–")
+        .element("td", "–")
+        .element("td", standing_of_none(reader, each))
+        .close();
+  }
+  end_table(page);
+  page.close();
+}
 
 void add_exclusions(Markup& page, const ResultReader& reader) {
   const auto scenes = exclusion_scenes(reader);
@@ -179,8 +243,8 @@ void add_exclusions(Markup& page, const ResultReader& reader) {
   page.open("section", {{"id", "why-not"}}).element("h2", "Why other loads cannot be held");
   page.element(
       "p",
-      "On each of these motions the load does positive work, and no reaction within its friction "
-      "cone does negative work, whatever the stiffness. It shows that the load cannot be held; it "
+      "On each of these motions the load does positive work, and reactions within their friction "
+      "cones can only add to it, whatever the stiffness. It shows that the load cannot be held; it "
       "is not the motion that follows.");
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     const auto id = fmt::format("why-not-{}", k + 1);

@@ -12,6 +12,9 @@ namespace kusabi::run {
 void add_held_loads(pictures::Markup& page, const ResultReader& reader,
                     const std::string& sentence);
 
+/// Answers for each of several load cases; nothing if there is one.
+void add_load_cases(pictures::Markup& page, const ResultReader& reader);
+
 /// Pictures of the motions by which statics alone excludes loads; nothing if there are none.
 void add_exclusions(pictures::Markup& page, const ResultReader& reader);
 

@@ -149,7 +149,7 @@ class ProblemFacts {
     return ResultReader::find(result, "friction") == nullptr
                ? std::string()
                : fmt::format("{:.10g}{}", reader_.number(result, "friction"),
-                             of_each_candidate(reader_));
+                             has_own_friction(reader_) ? " times that of the file" : "");
   }
 
   [[nodiscard]] std::string loads() const {

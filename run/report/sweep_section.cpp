@@ -83,9 +83,8 @@ class SweepSection {
     if (points.empty() && reader_.list(result_, "staircase").empty())
       page_.element("p", "No count of sign patterns is known.");
     if (points.empty()) return;
-    begin_table(
-        page_, "Sign patterns at the given points",
-        {"friction coefficient" + of_each_candidate(reader_), "count", "known", "undecided"});
+    begin_table(page_, "Sign patterns at the given points",
+                {answer::friction_name(has_own_friction(reader_)), "count", "known", "undecided"});
     for (const auto& point : points) {
       page_.open("tr");
       number(point, "mu");

@@ -89,7 +89,7 @@ class HoldCharts {
 
   [[nodiscard]] Chart over_friction() const {
     auto chart = empty_chart("Load factors that can be held",
-                             "friction coefficient" + of_each_candidate(reader_),
+                             answer::friction_name(has_own_friction(reader_)),
                              "factor of the reference load");
     ChartSeries held{.name = "held at the friction coefficients of the call",
                      .stroke = Stroke::bar};

@@ -28,10 +28,10 @@ std::string result_text(Session& session, const std::string& file) {
       [&] { return problems::file_text(file, "a result file in JSON", largest_result); });
 }
 
-std::string of_each_candidate(const ResultReader& reader) {
+bool has_own_friction(const ResultReader& reader) {
   const auto& candidates = reader.list(reader.at(reader.all(), "problem"), "contact");
-  return answer::of_each_candidate(std::ranges::any_of(
-      candidates, [&](const auto& each) { return reader.number(each, "friction") != 1; }));
+  return std::ranges::any_of(
+      candidates, [&](const auto& each) { return reader.number(each, "friction") != 1; });
 }
 
 ResultReader::ResultReader(const std::string& text, std::string file) : file_(std::move(file)) {

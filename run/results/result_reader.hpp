@@ -18,9 +18,9 @@ namespace kusabi::run {
 
 class ResultReader;
 
-/// Suffix of a friction coefficient: " times that of each candidate", if the candidates of the
-/// problem have coefficients of their own; otherwise empty. @throws WrongInput
-std::string of_each_candidate(const ResultReader& reader);
+/// True if the file gives friction coefficients to its candidates, which that of the call multiplies.
+/// @throws WrongInput
+bool has_own_friction(const ResultReader& reader);
 
 /// The text of a result file, which rank 0 reads for all. @throws support::InputError on every rank
 std::string result_text(Session& session, const std::string& file);

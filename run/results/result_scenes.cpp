@@ -102,6 +102,10 @@ class SceneReader {
     if (all.picture.lines.back() != text) all.picture.lines.push_back(std::move(text));
   }
 
+  [[nodiscard]] std::string friction_in_words(double coefficient) const {
+    return answer::friction_words(fmt::format("{:.10g}", coefficient), has_own_friction(reader_));
+  }
+
   // The structure with a friction coefficient.
   [[nodiscard]] Scene at_friction(double coefficient) const {
     auto scene = structure_.scene;
@@ -127,9 +131,8 @@ class SceneReader {
   void read_patterns(ResultScenes& all) {
     const double friction = reader_.number(result_, "friction");
     const auto& patterns = reader_.list(result_, "patterns");
-    all.picture.lines = {fmt::format("{} at friction coefficient {:.10g}{}",
-                                     answer::counted(patterns.size(), "sign pattern"), friction,
-                                     of_each_candidate(reader_))};
+    all.picture.lines = {answer::counted(patterns.size(), "sign pattern") + " at " +
+                         friction_in_words(friction)};
     for (const auto& pattern : patterns) {
       if (!is_chosen(all, all.count)) continue;
       add_remark_on_whole(all, pattern, "patterns");
@@ -173,9 +176,8 @@ class SceneReader {
   void read_rays(ResultScenes& all) {
     const double friction = reader_.number(result_, "friction");
     const auto& rays = reader_.list(result_, "rays");
-    all.picture.lines = {fmt::format("{} at friction coefficient {:.10g}{}",
-                                     answer::counted(rays.size(), "extremal ray"), friction,
-                                     of_each_candidate(reader_))};
+    all.picture.lines = {answer::counted(rays.size(), "extremal ray") + " at " +
+                         friction_in_words(friction)};
     if (!rays.empty()) add_remark_on_whole(all, rays.front(), "rays");
     for (const auto& ray : rays) {
       if (!is_chosen(all, all.count)) continue;
@@ -221,8 +223,8 @@ class SceneReader {
       add_loads(scene, {.factor = factor,
                         .factor_text = rounded_within(factor, low, high, digits_of_picture)});
       add_line(scene, "held " + load + (factor == 0 ? "" : " of the reference load"));
-      all.picture.lines = {"states of equilibrium at friction coefficient " + coefficient +
-                           of_each_candidate(reader_)};
+      all.picture.lines = {"states of equilibrium at " +
+                           answer::friction_words(coefficient, has_own_friction(reader_))};
       all.entries.push_back(all.count - 1);
       all.scenes.push_back(std::move(scene));
     }
@@ -244,8 +246,8 @@ class SceneReader {
       add_line(scene, fmt::format("the body of node {} {}", reader_.text(body, "node"),
                                   reader_.text(body, "motion")));
     }
-    add_line(scene, listed_names("friction is used up at", reader_.names(motion, "sliding")));
-    add_line(scene, listed_names("contact is lost at", reader_.names(motion, "opening")));
+    add_line(scene, listed_names("contact slides at", reader_.names(motion, "sliding")));
+    add_line(scene, listed_names("contact opens at", reader_.names(motion, "opening")));
     add_loads(scene, {.factor = factor});
     return scene;
   }
@@ -516,7 +518,17 @@ ResultScenes chosen_scenes(const ResultReader& reader, SceneChoice choice) {
 
 ResultScenes result_scenes(const ResultReader& reader, const std::string& file,
                            SceneChoice choice) {
+  const auto [first, maximum] = std::pair{choice.first, choice.maximum};
   auto all = chosen_scenes(reader, std::move(choice));
+  if (reader.text(reader.all(), "command") == "hold") {
+    all.things = "states or motions";
+    for (auto& scene : exclusion_scenes(reader)) {
+      if (const auto number = all.count++; number >= first && number - first < maximum)
+        all.scenes.push_back(std::move(scene));
+      all.picture.lines = {reader.sentence()};
+    }
+    if (all.picture.lines.empty()) all.picture.lines = {reader.sentence()};
+  }
   if (all.count == 0) {
     throw WrongInput(fmt::format("{}: has no {}; expected at least one", file, all.things));
   }

@@ -55,7 +55,7 @@ std::vector<pictures::Scene> exclusion_scenes(const ResultReader& reader);
 /// @throws WrongInput in one line if it is not a result that can be drawn
 ResultScenes chosen_scenes(const ResultReader& reader, SceneChoice choice);
 
-/// At least one scene.
+/// At least one scene; after the states of `hold`, the motions by which statics excludes loads.
 /// @param file its name, for messages
 /// @throws WrongInput in one line if it is not a result file or contains nothing to draw
 ResultScenes result_scenes(const ResultReader& reader, const std::string& file, SceneChoice choice);

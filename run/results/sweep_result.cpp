@@ -82,7 +82,7 @@ class SweptFriction : public SweepPage {
     Chart chart{.title = problem_name(),
                 .description = sentence_,
                 .lines = {"sign patterns of wedged configurations", sentence_},
-                .x_name = "friction coefficient" + of_each_candidate(reader_),
+                .x_name = answer::friction_name(has_own_friction(reader_)),
                 .y_name = many ? "log10 (1 + sign patterns)" : "sign patterns",
                 .whole_numbers = !many,
                 .series = {}};

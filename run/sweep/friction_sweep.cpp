@@ -92,7 +92,7 @@ class FrictionSweep final : public Swept {
     keep_state(run, options_.checkpoint, contact_.problem);
   }
   [[nodiscard]] std::string announcement(const std::string& ranks) const override {
-    return fmt::format("{}; up to a friction coefficient of {}; {}", problem_line(contact_.problem),
+    return fmt::format("{}; up to {}; {}", problem_line(contact_.problem),
                        friction_text(contact_.problem, parameters_.maximum), ranks);
   }
   void search(CommandRun& run) override {

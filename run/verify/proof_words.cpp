@@ -70,7 +70,7 @@ std::string verified_problem(const VerifyOptions& options,
 std::string verified_friction(const problems::CheckedStructure& structure, double friction) {
   const bool same =
       std::ranges::all_of(structure->contact, [](const auto& each) { return each.friction == 1; });
-  return fmt::format("friction coefficient: {}{}\n", friction, answer::of_each_candidate(!same));
+  return fmt::format("{}: {}\n", answer::friction_name(!same), friction);
 }
 
 std::string large_displacements_text(std::uint64_t nodes) {

@@ -73,8 +73,7 @@ std::string problem_line(const problems::WedgedProblem& problem) {
 }
 
 std::string friction_text(const problems::WedgedProblem& problem, double coefficient) {
-  return fmt::format("{}{}", coefficient,
-                     answer::of_each_candidate(!problems::uniform_friction(problem)));
+  return answer::friction_words(coefficient, !problems::uniform_friction(problem));
 }
 
 ordered_json problem_json(const problems::Structure& structure,

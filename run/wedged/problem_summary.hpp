@@ -19,7 +19,7 @@ namespace kusabi::run {
 /// One line: name, dimension, sizes.
 std::string problem_line(const problems::WedgedProblem& problem);
 
-/// "0.65", or "0.65 times that of each candidate".
+/// "friction coefficient 0.65", "0.65 times the friction given in the file".
 std::string friction_text(const problems::WedgedProblem& problem, double coefficient);
 
 /// The member `problem` of a result file. @param problem of the structure

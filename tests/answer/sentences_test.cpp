@@ -143,6 +143,12 @@ Command hold() {
   const auto with = [&](Bracket own, HoldReason reason = HoldReason::searched) {
     return HoldingBracket{.bracket = own, .maximum = 1000, .reason = reason, .load_case = ""};
   };
+  auto of_cases = bracket;
+  of_cases.load_case = "wind";
+  of_cases.cases = {{.name = "wind", .bracket = bracket.bracket},
+                    {.name = "snow", .bracket = proved(0.1, 0.10000001)}};
+  auto of_file = bracket;
+  of_file.factor = true;
   return {
       "hold",
       {{"a bracket", {.answer = bracket}},
@@ -151,6 +157,8 @@ Command hold() {
        {"it cannot hold the load", {.answer = with({proved(1000), std::nullopt})}},
        {"a load that nothing resists", {.answer = with({}, HoldReason::unbalanced)}},
        {"constrained bodies", {.answer = with({}, HoldReason::supports)}},
+       {"all load cases", {.answer = of_cases}},
+       {"coefficients in the file", {.answer = of_file}},
        {"stopped", stopped(with({proved(0.1), proved(0.9)}))},
        {"stopped without bounds", stopped(with({}))},
        {"undecided",
@@ -190,6 +198,17 @@ Command hold_factors() {
   const auto open = with_others(none);
   const auto part = with_others(held);
   HoldingFactors wedged{.friction = 0.4, .reason = HoldReason::wedging};
+  auto of_cases = held;
+  of_cases.load_case = "wind";
+  of_cases.cases = {{.name = "wind", .intervals = held.intervals, .outside = Standing::proved},
+                    {.name = "snow", .intervals = half.intervals, .outside = Standing::proved}};
+  auto of_none = none;
+  of_none.load_case = "wind";
+  of_none.cases = {{.name = "snow", .intervals = half.intervals, .outside = Standing::proved},
+                   {.name = "wind", .outside = Standing::proved}};
+  auto of_file = held;
+  of_file.friction = 1;
+  of_file.factor = true;
   const auto at = [](double friction, HoldingFactors found) {
     found.friction = friction;
     return found;
@@ -206,6 +225,9 @@ Command hold_factors() {
        {"ends that are computed", {.answer = computed_ends}},
        {"`--grip`, of which a bound is computed", {.answer = grip}},
        {"no factor", {.answer = none}},
+       {"all load cases", {.answer = of_cases}},
+       {"all load cases, of which one holds nothing", {.answer = of_none}},
+       {"coefficients in the file", {.answer = of_file}},
        {"a dead load alone", {.answer = dead}},
        {"all factors, as it is wedged", {.answer = wedged}},
        {"stopped", stopped(part)},

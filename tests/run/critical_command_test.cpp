@@ -132,8 +132,8 @@ friction_factor = 1e-5
                                 " --method global", " --method newton --mu-max 10"}) {
     const auto run = shell(command + " critical " + file + way);
     EXPECT_EQ(run.exit_code, 3) << run.output;
-    EXPECT_THAT(run.output, HasSubstr("It can stick at friction coefficient 0.1 times that of each "
-                                      "candidate; below it, this is not known."))
+    EXPECT_THAT(run.output, HasSubstr("It can stick at 0.1 times the friction given in the "
+                                      "file; below it, this is not known."))
         << way;
   }
   EXPECT_EQ(shell(command + " sweep " + file + " --mu 10").exit_code, 0);

@@ -214,8 +214,6 @@ class Hold(KusabiCase):
         bare = LADDER.split("[[loads]]")[0]
         self.assertIn("there is no dead load", self.refused("hold", self.problem(bare)))
         self.assertIn("there is no load", self.refused("hold", self.problem(bare), "--mu", 0.4))
-        cases = LADDER.replace('force = [0, -1]\n', 'force = [0, -1]\ncase = "a"\n', 1)
-        self.assertIn('expected --case with one of them: "a"', self.refused("hold", self.problem(cases)))
         both = PEG.replace("clearance = 0.001", "clearance = 0.001\ninterference = 0.001")
         self.assertIn("interference and clearance in one group", self.refused("hold", self.problem(both)))
 
@@ -250,7 +248,7 @@ class Hold(KusabiCase):
         (motion,) = result["result"]["excluding_motions"]
         self.check_motion(motion, contacts, "turns clockwise about (1.5, 4.5)", {"ladder.5,0": (0, -1)})
         self.assertIn("Why not with less friction? Statics alone excludes it: if the body turns clockwise about "
-                      "(1.5, 4.5), the load does positive work, and no reaction within its friction cone does negative work. Friction is used up at "
+                      "(1.5, 4.5), the load does positive work, and reactions within their friction cones can only add to it. Contact slides at "
                       "ladder.0,0, ladder.10,0.", " ".join(result["verdict"]["details"]))
         result = self.solve("hold", EXAMPLES / "ladder.toml", "--mu", 0.4)
         less, more = result["result"]["excluding_motions"]
@@ -295,7 +293,8 @@ class Hold(KusabiCase):
         text = BLOCK + LOAD.format('"block.0,1", "block.1,1"', "[0, -1]").replace("dead", "reference")
         result = self.solve("hold", self.problem(text), "--mu", 0.5)
         (less,) = result["result"]["excluding_motions"]
-        self.assertEqual((less["factor"], less["opening"]), (-1, ["block.0,0", "block.1,0"]))
+        self.assertEqual(less["factor"], -1)
+        self.assertTrue(less["opening"])  # lifted, or turned about one of its corners: both open alike
         self.check_motion(less, (), less["bodies"][0]["motion"], {"block.0,1": (0, 1), "block.1,1": (0, 1)})
 
     def test_loads_that_no_candidate_resists_name_no_motion(self):

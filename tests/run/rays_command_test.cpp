@@ -187,8 +187,8 @@ TEST_F(RaysCommand, FindsTheRayOfTheTwoBarsAtEachCandidatesOwnFriction) {
     return shell(command + " rays " + quoted(file) + " --mu " + mu).output;
   };
   EXPECT_THAT(rays("0.49"), HasSubstr("\n0 extremal rays in 0 maximal cones"));
-  EXPECT_THAT(rays("0.51"), HasSubstr("\n1 extremal ray in 1 maximal cone at friction coefficient "
-                                      "0.51 times that of each candidate"));
+  EXPECT_THAT(rays("0.51"), HasSubstr("\n1 extremal ray in 1 maximal cone at 0.51 times the "
+                                      "friction given in the file"));
   EXPECT_THAT(rays("0.51"), HasSubstr("x  r_n          1\n            r_t          2\n"));
 }
 

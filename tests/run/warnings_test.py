@@ -165,7 +165,9 @@ class Warnings(Problems):
         message = self.said("critical", self.groove("friction = 0.15\n")).stderr
         self.assertIn("friction = 0.15 is the former name of friction_factor", message)
         self.assertEqual(self.said("critical", self.groove("friction_factor = 0.15\n")).stderr.count("factor"), 0)
-        self.assertIn("expected friction_factor only", self.refused("show", self.groove("friction = 1\nfriction_factor = 1\n")))
+        self.assertIn("friction_factor and friction_coefficient in one group",
+                      self.refused("show", self.groove("friction_factor = 1\nfriction_coefficient = 0.3\n")))
+        self.assertIn("expected friction_factor or friction_coefficient only", self.refused("show", self.groove("friction = 1\nfriction_factor = 1\n")))
 
     def test_correct_files_have_no_warnings(self):
         for file in (*EXAMPLES.rglob("*.toml"), *CASES.glob("*.toml")):

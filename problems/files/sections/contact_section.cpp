@@ -27,15 +27,34 @@ std::vector<std::vector<WeightedNode>> against(const ProblemDraft& draft, const 
   return std::vector<std::vector<WeightedNode>>(nodes.size());
 }
 
-/// The factor by its name, or by its former one; null if there is none.
-const toml::node* friction_factor(const TomlReader& reader, const TomlTable& group) {
-  const toml::node* const entry = group.table->get("friction_factor");
+/// The number that multiplies the coefficient of the call; null if there is none.
+const toml::node* own_friction(const TomlReader& reader, const TomlTable& group) {
+  const toml::node* const factor = group.table->get("friction_factor");
+  const toml::node* const coefficient = group.table->get("friction_coefficient");
   const toml::node* const old = group.table->get("friction");
+  if (factor != nullptr && coefficient != nullptr)
+    reader.fail(*factor, "friction_factor and friction_coefficient in one group; expected one");
+  const toml::node* const entry = factor != nullptr ? factor : coefficient;
   if (entry != nullptr && old != nullptr)
     reader.fail(*old,
-                "friction, the former name of friction_factor, stands beside it; expected "
-                "friction_factor only");
+                "friction, the former name of friction_factor, beside a number that replaces it; "
+                "expected friction_factor or friction_coefficient only");
   return entry != nullptr ? entry : old;
+}
+
+/// A group without a coefficient, whose factor is 1, would have a coefficient of 1 among the others.
+void check_coefficients(const TomlReader& reader, const std::vector<TomlTable>& groups) {
+  const TomlTable* without = nullptr;
+  const toml::node* with = nullptr;
+  for (const auto& group : groups) {
+    const auto* const entry = group.table->get("friction_coefficient");
+    if (entry == nullptr && without == nullptr) without = &group;
+    if (entry != nullptr && with == nullptr) with = entry;
+  }
+  if (with != nullptr && without != nullptr)
+    reader.fail(*with,
+                "friction_coefficient in some [[contact]] groups only; expected it in all of them, "
+                "or friction_factor");
 }
 
 /// The former name `friction` is easily mistaken for a coefficient.
@@ -47,8 +66,9 @@ void warn_of_old_name(ProblemDraft& draft, const TomlReader& reader, const toml:
           draft.structure(), reader.position(entry),
           fmt::format(
               "friction = {0} is the former name of friction_factor: it multiplies --mu at these "
-              "nodes{1}; expected friction_factor = {0} for a factor, or --mu {0} and no such line "
-              "for a coefficient",
+              "nodes{1}; expected friction_factor = {0} for a factor, or friction_coefficient = "
+              "{0} "
+              "and --mu 1",
               factor, groups > 1 ? fmt::format(" (one of {} such groups)", groups) : ""))
           .what());
 }
@@ -68,8 +88,9 @@ double clearance_in(const TomlReader& reader, const TomlTable& group) {
 void contact_group(ProblemDraft& draft, const TomlTable& group, LazySurface& surface) {
   const TomlReader& reader = draft.reader();
   Structure& structure = draft.structure();
-  reader.allow_only(group, {"nodes", "except", "every", "name", "against", "gap", "normal",
-                            "tangent", "friction_factor", "friction", "clearance", "interference"});
+  reader.allow_only(
+      group, {"nodes", "except", "every", "name", "against", "gap", "normal", "tangent",
+              "friction_factor", "friction_coefficient", "friction", "clearance", "interference"});
   reader.require(group, "nodes", "nodes = [\"a\", ...]");
   const ObstacleNormal normal = obstacle_normal(draft, group, surface);
   const toml::node* tangent_entry = group.table->get("tangent");
@@ -81,8 +102,10 @@ void contact_group(ProblemDraft& draft, const TomlTable& group, LazySurface& sur
   }
   double friction = 1;
   support::SourcePosition friction_position;
-  if (const toml::node* entry = friction_factor(reader, group); entry != nullptr) {
-    friction = reader.number(*entry, "the friction factor");
+  if (const toml::node* entry = own_friction(reader, group); entry != nullptr) {
+    const bool coefficient = group.table->get("friction_coefficient") == entry;
+    friction =
+        reader.number(*entry, coefficient ? "the friction coefficient" : "the friction factor");
     friction_position = reader.position(*entry);
   }
   const double clearance = clearance_in(reader, group);
@@ -118,7 +141,9 @@ void read_contact(ProblemDraft& draft) {
   if (section == nullptr) return;
   LazySurface surface(draft.structure());
   std::vector<const toml::node*> old_names;
-  for (const TomlTable& group : draft.reader().groups(*section, "contact")) {
+  const auto groups = draft.reader().groups(*section, "contact");
+  check_coefficients(draft.reader(), groups);
+  for (const TomlTable& group : groups) {
     contact_group(draft, group, surface);
     if (const auto* const entry = group.table->get("friction"); entry != nullptr)
       old_names.push_back(entry);

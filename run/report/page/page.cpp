@@ -62,8 +62,8 @@ void add_bracket(Markup& page, const ResultReader& reader) {
   if (critical == nullptr && holding == nullptr) return;
   const auto& bracket = critical != nullptr ? *critical : *holding;
   page.open("section", {{"id", "bracket"}});
-  page.element("h2", fmt::format("{} friction coefficient{}", critical ? "Critical" : "Holding",
-                                 of_each_candidate(reader)));
+  page.element("h2", fmt::format("{} {}", critical ? "Critical" : "Holding",
+                                 answer::friction_name(has_own_friction(reader))));
   begin_facts(page, "Bracket");
   add_bound_fact(page, reader, critical ? "cannot stick at" : "cannot be held at", bracket,
                  "lower");
@@ -93,6 +93,7 @@ std::string report_page(const ResultReader& reader) {
   if (command == "limit") add_limit(page, reader, scenes);
   if (command == "sweep") add_sweep(page, reader);
   if (command == "hold") {
+    add_load_cases(page, reader);
     add_held_loads(page, reader, reader.sentence());
     add_exclusions(page, reader);
   }
