@@ -168,7 +168,6 @@ class Hold final : public Subcommand {
     problems::CheckedStructure structure;
     wedged::LoadedProblem problem{};
     std::unique_ptr<wedged::ExactHold> exact{};
-    HoldFindings findings{};
   };
 
   void check() const override;
@@ -178,9 +177,9 @@ class Hold final : public Subcommand {
   wedged::LoadedProblem loads_of_cases(const problems::CheckedStructure& structure,
                                        const support::LongWork& work);
   void prepare_loads(CommandRun& run, LoadCase& loads);
-  void search_under(engine::Analysis& analysis, CommandRun& run, LoadCase& loads);
-  void search_at(engine::Analysis& analysis, LoadCase& loads,
-                 const wedged::HoldParameters& parameters, double mu);
+  HoldFindings search_under(engine::Analysis& analysis, CommandRun& run, const LoadCase& loads);
+  void search_at(engine::Analysis& analysis, const LoadCase& loads,
+                 const wedged::HoldParameters& parameters, double mu, HoldFindings& findings);
   [[nodiscard]] const LoadCase& shown() const { return loads_.at(shown_); }
   [[nodiscard]] const wedged::LoadedProblem& problem() const { return shown().problem; }
 
@@ -346,8 +345,6 @@ void Hold::prepare_loads(CommandRun& run, LoadCase& loads) {
   auto trials = options_.points;  // or the first coefficient of the search
   if (trials.empty()) trials.push_back(std::min(1.0, options_.parameters.maximum));
   for (const double mu : trials) friction_at(loaded.problem, mu, options_.input.file);
-  loads.findings.load_case = loads.name;
-  loads.findings.of_reference = loaded.has_reference;
   refuse_without_loads(loads);
   refuse_total(loaded);
   make_equal_on_all_ranks(run.session(), loaded.problem);
@@ -381,9 +378,8 @@ void Hold::search(CommandRun& run) {
   std::vector<HoldFindings> found;
   std::vector<std::string> names;
   for (const auto& each : loads_) names.push_back(each.name);
-  for (auto& each : loads_) {
-    search_under(analysis, run, each);
-    found.push_back(each.findings);
+  for (const auto& each : loads_) {
+    found.push_back(search_under(analysis, run, each));
     if (found.back().status() != engine::Status::solved) break;
   }
   findings_ =
@@ -392,8 +388,9 @@ void Hold::search(CommandRun& run) {
     warn_of_facets(run, options_.input, facets_, friction->bracket.upper->value);
 }
 
-void Hold::search_under(engine::Analysis& analysis, CommandRun& run, LoadCase& loads) {
-  auto& findings = loads.findings;
+HoldFindings Hold::search_under(engine::Analysis& analysis, CommandRun& run,
+                                const LoadCase& loads) {
+  HoldFindings findings{.load_case = loads.name, .of_reference = loads.problem.has_reference};
   auto& exact = *loads.exact;
   auto parameters = options_.parameters;
   const auto files = hold_recorder(
@@ -413,19 +410,19 @@ void Hold::search_under(engine::Analysis& analysis, CommandRun& run, LoadCase& l
     exact.set_standings(*findings.friction);
   }
   for (const double mu : options_.points) {
-    search_at(analysis, loads, parameters, mu);
-    if (findings.status() != engine::Status::solved) return;
+    search_at(analysis, loads, parameters, mu, findings);
+    if (findings.status() != engine::Status::solved) return findings;
   }
   for (const auto& load : excluded_loads(options_, loads.problem, findings)) {
     if (auto motion = wedged::excluding_motion(loads.structure, loads.problem, load,
                                                analysis.budget().stop()))
       findings.exclusions.push_back(*std::move(motion));
   }
+  return findings;
 }
 
-void Hold::search_at(engine::Analysis& analysis, LoadCase& loads,
-                     const wedged::HoldParameters& parameters, double mu) {
-  auto& findings = loads.findings;
+void Hold::search_at(engine::Analysis& analysis, const LoadCase& loads,
+                     const wedged::HoldParameters& parameters, double mu, HoldFindings& findings) {
   const auto record =
       parameters.recorder ? parameters.recorder(wedged::HoldClaim::factors, mu) : nullptr;
   // A configuration that is wedged at some coefficient is so at every larger one.

@@ -67,11 +67,11 @@ std::optional<Eigen::VectorXd> amounts_of_modes(const LoadedProblem& block, Excl
                                                 const support::Stop& stop) {
   if (block.problem.dimension == 2) {
     const auto share = beyond(block, load);
-    auto amounts = static_motion(block, share, load.friction, stop);
+    const auto works = works_of(block, share);
+    auto amounts = static_motion(block, works, load.friction, stop);
     if (load.share.reference == 0) load.share = share;
     // If statics ends elsewhere, the load itself does negative work.
-    if (amounts && works_of(block, load.share).dot(*amounts) <
-                       -lost_work * works_of(block, share).dot(*amounts))
+    if (amounts && works_of(block, load.share).dot(*amounts) < -lost_work * works.dot(*amounts))
       amounts.reset();
     return amounts;
   }

@@ -194,16 +194,12 @@ std::optional<double> static_friction(const LoadedProblem& block, double low, do
   return end_of_basis(block, high, at_end).value_or(high);
 }
 
-std::optional<Eigen::VectorXd> static_motion(const LoadedProblem& block, LoadShare share, double mu,
+std::optional<Eigen::VectorXd> static_motion(const LoadedProblem& block,
+                                             const Eigen::VectorXd& load, double mu,
                                              const support::Stop& stop) {
   const auto& problem = block.problem;
   const Eigen::MatrixXd& modes = problem.modes.matrix;
-  if (problem.dimension != 2 || modes.cols() == 0) return {};
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(modes.cols());
-  const Eigen::MatrixXd works = block.loads.motions.cast<double>();
-  if (block.has_dead) load += share.dead * works.row(0).transpose();
-  if (block.has_reference) load += share.reference * works.row(block.has_dead ? 1 : 0).transpose();
-  if (load.isZero(0)) return {};
+  if (problem.dimension != 2 || load.isZero(0)) return {};
   // Modes in units in which they displace candidates by one at most.
   Eigen::VectorXd units(modes.cols());
   linear::LinearProgram program;

@@ -37,7 +37,9 @@ std::optional<double> static_friction(const LoadedProblem& block, double low, do
 /// candidate opens at least mu times as fast as it slides, so that no reaction within the friction
 /// cones does negative work (Farkas): the one whose candidates open least. Nothing in space, if
 /// statics balances the load, or if the program has no numerical answer.
-std::optional<Eigen::VectorXd> static_motion(const LoadedProblem& block, LoadShare share, double mu,
+/// @param load its works on the modes
+std::optional<Eigen::VectorXd> static_motion(const LoadedProblem& block,
+                                             const Eigen::VectorXd& load, double mu,
                                              const support::Stop& stop = {});
 
 }  // namespace kusabi::wedged

@@ -67,8 +67,7 @@ void warn_of_old_name(ProblemDraft& draft, const TomlReader& reader, const toml:
           fmt::format(
               "friction = {0} is the former name of friction_factor: it multiplies --mu at these "
               "nodes{1}; expected friction_factor = {0} for a factor, or friction_coefficient = "
-              "{0} "
-              "and --mu 1",
+              "{0} and --mu 1",
               factor, groups > 1 ? fmt::format(" (one of {} such groups)", groups) : ""))
           .what());
 }

@@ -429,7 +429,8 @@ TEST(Statics, TurnATallBlockAboutItsEdge) {
   const auto loaded = loaded_problem(problems::load_structure(
       std::string(KUSABI_SOURCE_DIR) + "/examples/statics/tall-block-on-an-incline.toml"));
   for (const double mu : {1.0, 10.0, 1000.0}) {
-    const auto amounts = static_motion(loaded, {1, 0}, mu);
+    const auto amounts =
+        static_motion(loaded, loaded.loads.motions.row(0).transpose().cast<double>(), mu);
     ASSERT_TRUE(amounts) << mu;
     const Eigen::VectorXd motion = loaded.problem.modes.matrix * *amounts;
     const double largest = motion.cwiseAbs().maxCoeff();
